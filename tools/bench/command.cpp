@@ -7,11 +7,8 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <system_error>
-
-#include "geom/text/json_line.h"
 
 namespace bench {
 namespace {
@@ -63,6 +60,7 @@ CommandOutput run_command(const std::string& command, const std::string& input,
                           std::size_t expected, const geom::Execution& run) {
   const File queries = holding(input);
   CommandOutput out;
+  std::vector<std::string>& lines = out.answers.lines;
   const auto begin = std::chrono::steady_clock::now();
   const Child child = start(command, queries.get());
   std::string line;
@@ -73,56 +71,20 @@ CommandOutput run_command(const std::string& command, const std::string& input,
       continue;
     }
     if (line.find_first_not_of(" \t\r") != std::string::npos) {
-      out.lines.push_back(std::move(line));
-      if (run.progress && out.lines.size() < expected) run.progress(out.lines.size(), expected);
+      lines.push_back(std::move(line));
+      if (run.progress && lines.size() < expected) run.progress(lines.size(), expected);
     }
     line.clear();
   }
   rusage used{};
   int status = 0;
   if (wait4(child.id, &status, 0, &used) < 0) refuse("cannot wait for the planner");
-  out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  out.answers.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (run.progress) run.progress(expected, expected);
-  out.peak_rss = static_cast<std::size_t>(used.ru_maxrss) * 1024;
+  out.answers.peak_rss = static_cast<std::size_t>(used.ru_maxrss) * 1024;
   out.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return out;
-}
-
-std::string to_json_lines(const std::vector<geom::PlanQuery>& queries) {
-  std::string out;
-  for (const geom::PlanQuery& query : queries) {
-    out += geom::JsonLine().add("id", query.id).add("from", query.from).add("to", query.to).line();
-  }
-  return out;
-}
-
-plan::bench::Run judge_command(
-    const std::string& command, const CommandOutput& output, const geom::CollisionScene& scene,
-    const std::vector<geom::PlanQuery>& queries,
-    const std::function<void(const geom::PathRecord&, std::size_t line)>& check) {
-  plan::bench::Run run;
-  run.method = command;
-  run.one_process = true;
-  run.peak_rss = output.peak_rss;
-  std::map<std::string, plan::bench::Answer> answers;
-  for (const geom::PlanQuery& query : queries) answers[query.id];
-  std::map<std::string, bool> answered;
-  for (std::size_t i = 0; i < output.lines.size(); ++i) {
-    geom::PathRecord record = geom::parse_path_record(output.lines[i], "planner-cmd", i + 1);
-    check(record, i + 1);
-    const auto slot = answers.find(record.id);
-    if (slot == answers.end() || std::exchange(answered[record.id], true)) {
-      ++run.extra;
-    } else {
-      slot->second = {record.status, std::move(record.points), std::nullopt};
-    }
-  }
-  const double mean = output.seconds / static_cast<double>(queries.size());
-  for (const geom::PlanQuery& query : queries) {
-    run.trials.push_back(plan::bench::trial_of(scene, query, answers.at(query.id), mean));
-  }
-  run.missing = queries.size() - (output.lines.size() - run.extra);
-  return run;
 }
 
 }  // namespace bench

@@ -43,17 +43,6 @@ Json describe(const plan::bench::QuerySet& queries, const bench::Files& files,
   return out;
 }
 
-// A record may say for what it was made; then it must be this.
-void require_ours(const geom::PathRecord& record, const geom::CollisionScene& scene,
-                  std::size_t line) {
-  geom::Provenance said = geom::provenance_of(scene);
-  if (record.provenance.map) said.map = record.provenance.map;
-  if (record.provenance.frame) said.frame = record.provenance.frame;
-  if (record.provenance.vehicle) said.vehicle = record.provenance.vehicle;
-  if (record.provenance.margin) said.margin = record.provenance.margin;
-  geom::require_same(said, scene, fmt::format("planner-cmd:{}", line), "path");
-}
-
 plan::bench::Run run_method(const std::string& name, const geom::CollisionScene& scene,
                             plan::bench::QuerySet& queries, const bench::Options& options,
                             const cli::Common& common) {
@@ -86,14 +75,12 @@ plan::bench::Run run_command(const std::string& command, const geom::CollisionSc
                              const std::vector<geom::PlanQuery>& queries,
                              const cli::Common& common) {
   const bench::CommandOutput output = bench::run_command(
-      command, bench::to_json_lines(queries), queries.size(), common.execution("planner-cmd"));
+      command, plan::bench::query_lines(queries), queries.size(), common.execution("planner-cmd"));
   if (output.status > 1) {
     common.warn(
         fmt::format("the planner command ended with status {}: {}", output.status, command));
   }
-  return bench::judge_command(
-      command, output, scene, queries,
-      [&](const geom::PathRecord& record, std::size_t line) { require_ours(record, scene, line); });
+  return plan::bench::judge_lines(command, output.answers, scene, queries);
 }
 
 std::vector<plan::bench::Run> run_all(const geom::CollisionScene& scene,

@@ -4,7 +4,6 @@
 
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "cli/content/drone_file.h"
 #include "cli/file/files.h"
@@ -14,8 +13,7 @@
 #include "cli/run.h"
 #include "profile_file.h"
 #include "together.h"
-#include "traj/record/report_record.h"
-#include "traj/record/trajectory_record.h"
+#include "traj/check/check_record.h"
 
 namespace checking {
 
@@ -33,8 +31,7 @@ class Checker {
   // All must outlive this. The profile takes the clearance of what is checked, where it is open,
   // and `together` the trajectories, where it was asked for.
   Checker(const cli::Common& common, cli::Scenes& scenes, ProfileFile& profile, Together& together,
-          const Rules& rules)
-      : common_(common), scenes_(scenes), profile_(profile), together_(together), rules_(rules) {}
+          const Rules& rules);
 
   using Answer = std::function<void(const traj::ReportRecord&)>;
   // Answers what the shard takes of the file, in order. Returns how much is in the file.
@@ -44,22 +41,18 @@ class Checker {
  private:
   traj::ReportRecord record(const std::string& text, const std::string& source,
                             std::size_t line) const;
-  traj::ReportRecord trajectory(const geom::JsonFields& fields, const std::string& source,
+  traj::ReportRecord trajectory(const traj::TrajectoryRecord& record, const std::string& source,
                                 std::size_t line) const;
-  traj::ReportRecord path(const geom::JsonFields& fields, const std::string& source,
+  traj::ReportRecord path(const geom::PathRecord& record, const std::string& source,
                           std::size_t line) const;
   traj::ReportRecord flown(const traj::FileFlight& file) const;
-  traj::Limits limits_for(const traj::Limits& record, const geom::Vehicle& vehicle) const;
-  std::vector<std::string> loosened(const traj::TrajectoryRecord& record,
-                                    const geom::Vehicle& vehicle, const traj::Limits& held) const;
-  void say_allowance(const traj::FileFlight& file, traj::ReportRecord& report) const;
-  void refuse_unmeasured(const geom::Vec3& place, traj::ReportRecord& report) const;
 
   const cli::Common& common_;
   cli::Scenes& scenes_;
   ProfileFile& profile_;
   Together& together_;
   Rules rules_;
+  traj::RecordRules record_rules_;
 };
 
 }  // namespace checking

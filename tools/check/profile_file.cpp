@@ -4,8 +4,7 @@
 
 #include "cli/option/output_option.h"
 #include "cli/run.h"
-#include "geom/text/csv_field.h"
-#include "geom/text/number.h"
+#include "traj/check/profile_csv.h"
 
 namespace checking {
 namespace {
@@ -25,7 +24,7 @@ void ProfileFile::add_to(CLI::App& app) {
 void ProfileFile::open(const cli::Sharding& sharding) {
   if (file_.empty()) return;
   out_.emplace(file_, "profile", sharding);
-  out_->head("id,begin,end,clearance_m\n");
+  out_->head(std::string(traj::kProfileHead));
 }
 
 void ProfileFile::require_room(double extent) const {
@@ -36,15 +35,18 @@ void ProfileFile::require_room(double extent) const {
                   kMostParts, extent / step_, step_, extent / kMostParts));
 }
 
-void ProfileFile::add(const std::string& id, std::span<const traj::ClearanceSpan> spans) {
-  for (const traj::ClearanceSpan& span : spans) {
-    lines_ += geom::csv_field(id);
-    for (const double value : {span.begin, span.end, span.clearance}) {
-      lines_ += ',';
-      geom::append_number(lines_, value);
-    }
-    lines_ += '\n';
-  }
+void ProfileFile::add(const std::string& id, const geom::CollisionScene& scene,
+                      const traj::Trajectory& trajectory, double duration) {
+  if (!out_ || duration <= 0) return;
+  require_room(duration);
+  lines_ += traj::profile_rows(id, traj::clearance_profile(scene, trajectory, step_));
+}
+
+void ProfileFile::add(const std::string& id, const geom::CollisionScene& scene,
+                      const geom::Polyline& path) {
+  if (!out_) return;
+  require_room(geom::length(path));
+  lines_ += traj::profile_rows(id, traj::clearance_profile(scene, path, step_));
 }
 
 void ProfileFile::finish_record() {

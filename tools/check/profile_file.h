@@ -3,7 +3,6 @@
 // --profile of skyway-check: the least clearance along the way, CSV.
 
 #include <optional>
-#include <span>
 #include <string>
 
 #include "cli/shard/record_output.h"
@@ -15,19 +14,21 @@ class ProfileFile {
  public:
   void add_to(CLI::App& app);
   const std::string& file() const { return file_; }  // empty: not asked for
-  double step() const { return step_; }              // seconds, or metres along a path
 
   void open(const cli::Sharding& sharding);  // which must outlive this
-  bool is_open() const { return out_.has_value(); }
-  // Throws UsageError where a way so long (seconds, or metres) has more parts than can be written.
-  void require_room(double extent) const;
-  void add(const std::string& id, std::span<const traj::ClearanceSpan> spans);
+  // The profile of a way, where it is open. Throws UsageError where a way so long (seconds, or
+  // metres) has more parts than can be written.
+  void add(const std::string& id, const geom::CollisionScene& scene,
+           const traj::Trajectory& trajectory, double duration);
+  void add(const std::string& id, const geom::CollisionScene& scene, const geom::Polyline& path);
   void finish_record();  // what was added since the last is of one record
   void commit(std::size_t total, cli::Exit exit);
 
  private:
+  void require_room(double extent) const;
+
   std::string file_;
-  double step_ = 0.1;
+  double step_ = 0.1;  // seconds, or metres along a path
   std::optional<cli::RecordOutput> out_;
   std::string lines_;
 };

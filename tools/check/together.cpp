@@ -6,16 +6,13 @@
 #include "cli/option/spacing_options.h"
 #include "cli/run.h"
 #include "geom/base/error.h"
-#include "geom/record/agreed_room.h"
-#include "traj/proof/domain.h"
-#include "traj/together/flights_hash.h"
 
 namespace checking {
 
 void Together::add_to(CLI::App& app) {
   app.add_flag("--together", asked_,
                "check the trajectories against one another, too, for all time");
-  cli::add_spacing(app, task_.rule.spacing, task_.rule.parked);
+  cli::add_spacing(app, rule_.spacing, rule_.parked);
   moving_.add_to(app, "prove each trajectory clear of each at every instant, too");
 }
 
@@ -33,47 +30,11 @@ void Together::refuse_idle(const CLI::App& app, bool drone_file) const {
   }
 }
 
-void Together::require_room(const traj::TimedFlight& flight, const std::string& source,
-                            std::size_t line) const {
-  if (!asked_ || task_.rule.spacing.zone || flight.room.minCoeff() > 0) return;
-  throw geom::InputError(
-      source, line,
-      {.expected = "a vehicle with a size along each axis, as the distance follows from that",
-       .found = "none",
-       .advice = "give --separation"});
-}
-
 void Together::add(const traj::TrajectoryRecord& record, const geom::CollisionScene* scene,
                    const std::string& source, std::size_t line) {
   if (!collects()) return;
-  if (!ids_.insert(record.id).second) {
-    throw geom::InputError(
-        source, line,
-        {.expected = "each id once", .found = fmt::format("\"{}\" again", record.id)});
-  }
-  if (!any_) task_.epoch = record.time.epoch;
-  geom::require_epoch_agrees(record.time.epoch, task_.epoch, source, line);
-  any_ = true;
-  if (!scene || traj::outside_domain(record.trajectory, {})) {
-    ++left_out_;
-    return;
-  }
-  if (moving_.asked() && !record.time.start) {
-    throw geom::InputError(
-        source, line,
-        {.expected = fmt::format("\"start\" of \"{}\", seconds after the epoch", record.id),
-         .found = "none",
-         .advice = "where obstacles move, a verdict holds for one departure alone"});
-  }
-  task_.map = scene->map().hash();
-  task_.overridden =
-      task_.overridden ||
-      geom::smaller_than_asked({scene->vehicle(), scene->margin()}, record.provenance);
-  traj::TimedFlight flight{nullptr, record.time.starts(), scene->half()};
-  require_room(flight, source, line);
-  flight.trajectory = &trajectories_.emplace_back(record.trajectory);
-  flights_.push_back(flight);
-  task_.ids.push_back(record.id);
+  if (!set_) set_.emplace(rule_, traj::FlightSet::Needs{asked_, moving_.asked()});
+  set_->add(record, scene, source, line);
 }
 
 void Together::refuse_path(const std::string& id, const std::string& source,
@@ -82,12 +43,6 @@ void Together::refuse_path(const std::string& id, const std::string& source,
                          {.expected = fmt::format("a trajectory, as {} needs times", name()),
                           .found = fmt::format("the path \"{}\"", id),
                           .advice = "skyway-traj makes one of it"});
-}
-
-traj::TogetherResult Together::check(bool exact, const geom::Execution& run) {
-  task_.rule.exact = exact;
-  task_.flights_hash = traj::flights_hash(task_.ids, flights_, task_.epoch);
-  return traj::check_together(flights_, task_.rule, run);
 }
 
 }  // namespace checking

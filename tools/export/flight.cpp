@@ -10,20 +10,9 @@
 namespace exporting {
 namespace {
 
-Flight flight_of(const traj::TrajectoryRecord& record) {
-  Flight flight{traj::export_flight(record), "", record.provenance};
-  if (record.status != traj::TrajectoryStatus::solved) {
-    flight.missing = fmt::format("the record holds no trajectory (status {})", name(record.status));
-  }
-  return flight;
-}
-
-Flight flight_of(const geom::PathRecord& record) {
-  Flight flight{traj::export_flight(record), "", record.provenance};
-  if (record.status != geom::PathStatus::found) {
-    flight.missing = fmt::format("the record holds no path (status {})", name(record.status));
-  }
-  return flight;
+template <class Record>
+Flight flight_of(const Record& record) {
+  return {traj::export_flight(record), traj::why_not_flown(record), record.provenance};
 }
 
 Flight parse(const std::string& line, const std::string& source, std::size_t number) {

@@ -13,7 +13,7 @@
 #include "cli/option/spacing_options.h"
 #include "cli/run.h"
 #include "dji_options.h"
-#include "output_names.h"
+#include "geom/text/output_names.h"
 #include "traj/mission/airspace/flight_volumes.h"
 
 namespace exporting {
@@ -125,9 +125,9 @@ void Options::require_outputs() const {
   if (std::count(std::begin(outputs), std::end(outputs), "-") > 1) {
     throw cli::UsageError("the script, --python and --table cannot share stdout");
   }
-  const bool each = OutputNames(output, "--output").each();
+  const bool each = geom::OutputNames(output, "--output").each();
   for (const auto& [name, option] : {std::pair(python, "--python"), std::pair(table, "--table")}) {
-    if (!name.empty() && OutputNames(name, option).each() != each) {
+    if (!name.empty() && geom::OutputNames(name, option).each() != each) {
       throw cli::UsageError(
           fmt::format("--output and {}: expected %s in both or in neither, found \"{}\" and "
                       "\"{}\"",

@@ -8,8 +8,9 @@
 namespace exporting {
 
 Outputs::Outputs(const Options& options)
-    : names_{OutputNames(options.output, "--output"), OutputNames(options.python, "--python"),
-             OutputNames(options.table, "--table")},
+    : names_{geom::OutputNames(options.output, "--output"),
+             geom::OutputNames(options.python, "--python"),
+             geom::OutputNames(options.table, "--table")},
       source_(options.source()),
       wanted_{true, !options.python.empty(), !options.table.empty()} {}
 

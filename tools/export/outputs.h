@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "cli/run.h"
+#include "geom/text/output_names.h"
 #include "options.h"
-#include "output_names.h"
 
 namespace exporting {
 
@@ -31,7 +31,7 @@ class Outputs {
 
  private:
   using Files = std::array<std::string, 3>;
-  std::array<OutputNames, 3> names_;
+  std::array<geom::OutputNames, 3> names_;
   std::string source_;
   std::array<bool, 3> wanted_;
   std::vector<Files> files_;

@@ -10,7 +10,7 @@
 #include "cli/option/placement_option.h"
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
-#include "traj/record/trajectory_record.h"
+#include "traj/mission/file_records.h"
 #include "traj/solve/close_joints.h"
 
 namespace {
@@ -29,11 +29,8 @@ struct Importer {
       common.warn(fmt::format("{}: closed gaps of up to {:.2g} m between segments", file.id,
                               closed.largest_gap));
     }
-    traj::TrajectoryRecord record;
-    record.id = file.id;
-    record.status = traj::TrajectoryStatus::solved;
+    traj::TrajectoryRecord record = traj::trajectory_record(file, provenance);
     record.trajectory = closed.trajectory;
-    record.provenance = provenance;
     record.time = time;
     return to_json_line(record);
   }
@@ -44,12 +41,7 @@ struct Importer {
           "{}: the file's speed, {} m/s, is left out: a path has none; give skyway-traj --vmax",
           file.id, *legs.speed));
     }
-    geom::PathRecord record;
-    record.id = file.id;
-    record.status = geom::PathStatus::found;
-    record.points = legs.path;
-    record.hold = legs.hold;
-    record.provenance = provenance;
+    geom::PathRecord record = *traj::path_record(file, provenance);
     record.time = time;
     return to_json_line(record);
   }

@@ -105,7 +105,7 @@ Json describe_records(const std::string& text, const std::string& name) {
 
 // Of a file that no tool of ours wrote, or that is another tool's to read.
 Json describe_foreign(const geom::Format& format, std::string_view head) {
-  Json out = {{"type", cli::described(format, head)}};
+  Json out = {{"type", traj::files::described(format, head)}};
   if (!format.readers.empty()) out["read_by"] = fmt::format("{}", fmt::join(format.readers, " "));
   if (!format.advice.empty()) out["advice"] = format.advice;
   return out;
@@ -115,7 +115,7 @@ Json describe_file(const std::string& input, bool verify) {
   cli::InputFile file(input);
   geom::HashedStream in(file.stream());
   const geom::Format* format = cli::recognise_file(input);
-  if (!format) format = cli::recognise(in.head());
+  if (!format) format = traj::files::recognise(in.head());
   const bool archive = in.head().starts_with("PK");
   if (verify && !archive) {
     throw geom::InputError(

@@ -1,20 +1,14 @@
 // Maps that differ: diff and patch.
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <charconv>
 #include <set>
 #include <vector>
 
 #include "cli/file/files.h"
 #include "cli/option/degrees.h"
 #include "cli/option/output_option.h"
-#include "geom/base/error.h"
 #include "geom/import/box_csv.h"
-#include "geom/map/derive.h"
 #include "geom/map/difference.h"
-#include "geom/map/join.h"
+#include "geom/map/map_patch.h"
 #include "geom/record/flight_time.h"
 #include "geom/text/json_line.h"
 #include "verbs.h"
@@ -61,68 +55,15 @@ struct Changes {
 // "1,2,3", or a file of ids between white space and commas.
 std::set<std::uint64_t> ids_of(const std::string& word) {
   const bool list = word.find_first_not_of("0123456789, ") == std::string::npos;
-  const std::string text = list ? word : cli::InputFile(word).read_all();
-  std::set<std::uint64_t> ids;
-  std::size_t line = 1;
-  for (std::size_t at = 0; at < text.size();) {
-    if (text[at] == '\n') ++line;
-    if (std::string_view(" \t\r\n,").find(text[at]) != std::string_view::npos) {
-      ++at;
-      continue;
-    }
-    std::uint64_t id = 0;
-    const auto [rest, error] = std::from_chars(text.data() + at, text.data() + text.size(), id);
-    if (error != std::errc()) {
-      throw geom::InputError(
-          list ? "--remove" : word, line,
-          {.expected = "ids (whole numbers)", .found = geom::in_quotes(text.substr(at, 20))});
-    }
-    ids.insert(id);
-    at = static_cast<std::size_t>(rest - text.data());
-  }
-  return ids;
+  return list ? geom::parse_ids(word, "--remove")
+              : geom::parse_ids(cli::InputFile(word).read_all(), word);
 }
 
-std::size_t remove(BoxTable& table, const std::string& word, const std::string& map) {
-  const std::set<std::uint64_t> ids = ids_of(word);
-  std::set<std::uint64_t> found;
-  const std::size_t before = table.boxes.size();
-  table.keep_if([&](std::size_t i) {
-    const bool named = ids.contains(table.ids[i]);
-    if (named) found.insert(table.ids[i]);
-    return !named;
-  });
-  for (const std::uint64_t id : ids) {
-    if (!found.contains(id)) {
-      throw geom::InputError(map,
-                             {.says = fmt::format("no box has the id {} that --remove names", id)});
-    }
-  }
-  return before - table.boxes.size();
-}
-
-// New boxes get ids above all that are there.
-void renumber(BoxTable& fresh, const BoxTable& table) {
-  std::uint64_t next = 0;
-  for (const std::uint64_t id : table.ids) next = std::max(next, id + 1);
-  for (std::uint64_t& id : fresh.ids) id = next++;
-}
-
-// The instant that the map's times count from; one that has another keeps it.
-void set_epoch(geom::BoxMapSpec& spec, const std::string& word, const std::string& map,
-               Json& step) {
-  const auto epoch = geom::epoch_from(word);
-  if (!epoch) {
-    throw cli::UsageError(
-        "--epoch: expected an instant in UTC such as 2026-05-04T06:30:00Z (RFC 3339), found \"" +
-        word + '"');
-  }
-  if (spec.epoch && *spec.epoch != *epoch) {
-    throw geom::InputError(map, {.expected = fmt::format("the epoch {}, as --epoch says", *epoch),
-                                 .found = std::string(*spec.epoch)});
-  }
-  spec.epoch = epoch;
-  step["epoch"] = *epoch;
+std::string epoch_of(const std::string& word) {
+  if (const auto epoch = geom::epoch_from(word)) return *epoch;
+  throw cli::UsageError(
+      "--epoch: expected an instant in UTC such as 2026-05-04T06:30:00Z (RFC 3339), found \"" +
+      word + '"');
 }
 
 // All lower and upper corners.
@@ -142,36 +83,27 @@ void run_patch(const Files& files, const Changes& changes, const cli::Common& co
         "nothing to change: give --add, --remove, --keep-out, --fence or --epoch");
   }
   cli::at_most_one_stdin({files.map, changes.add, changes.keep_out, changes.fence});
-  const BoxMap map = open(files.map, common);
-  BoxTable table = geom::table_of(map);
-  Json step = geom::derived_step("patch", map);
+  geom::MapPatch patch(open(files.map, common), files.map);
   Json stats;
-  if (!changes.remove.empty()) {
-    step["removed"] = stats["removed"] = remove(table, changes.remove, files.map);
-  }
-  const auto add = [&](const char* what, BoxTable fresh) {
-    renumber(fresh, table);
-    geom::append(table, fresh);
-    step[what] = stats[what] = fresh.boxes.size();
-  };
+  if (!changes.remove.empty()) stats["removed"] = patch.remove(ids_of(changes.remove));
   if (!changes.add.empty()) {
     cli::InputFile file(changes.add);
     BoxTable fresh = geom::read_box_csv(file.stream(), file.name());
-    changes.metres.check_input(map.spec().frame, corners_of(fresh), file.name(), 0);
-    add("added", std::move(fresh));
+    changes.metres.check_input(patch.spec().frame, corners_of(fresh), file.name(), 0);
+    stats["added"] = patch.add("added", std::move(fresh));
   }
-  geom::BoxMapSpec spec = map.spec();
-  if (!changes.epoch.empty()) set_epoch(spec, changes.epoch, files.map, step);
+  if (!changes.epoch.empty()) patch.set_epoch(epoch_of(changes.epoch));
   if (changes.volumes.zero_height && changes.keep_out.empty()) {
     throw cli::UsageError("--zero-height: expected --keep-out with volumes of ASTM F3548");
   }
   if (!changes.keep_out.empty()) {
-    add("keep_out", keep_out(changes.keep_out, spec, changes.volumes, changes.metres, common));
+    stats["keep_out"] = patch.add("keep_out", keep_out(changes.keep_out, patch.spec(),
+                                                       changes.volumes, changes.metres, common));
   }
-  if (!changes.fence.empty()) add("fence", fence(changes.fence, spec, changes.volumes));
-  if (table.boxes.empty())
-    throw geom::InputError(files.map, {.says = "the patch leaves no boxes at all"});
-  write(files, geom::derived(std::move(spec), table, step));
+  if (!changes.fence.empty()) {
+    stats["fence"] = patch.add("fence", fence(changes.fence, patch.spec(), changes.volumes));
+  }
+  write(files, patch.made());
   common.write_stats(stats);
 }
 

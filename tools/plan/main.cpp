@@ -20,9 +20,9 @@
 #include "geom/base/parallel.h"
 #include "geom/record/query_record.h"
 #include "geom/text/counted.h"
-#include "plan/bound/bound_record.h"
+#include "plan/planner/moved_ends.h"
 #include "plan/planner/path_record.h"
-#include "plan/reach/enclosure_record.h"
+#include "plan/planner/proof_line.h"
 #include "plan/sampling/search_tree_file.h"
 #include "queries_option.h"
 #include "search_options.h"
@@ -30,15 +30,34 @@
 
 namespace {
 
+// What a query came to.
+struct Answer {
+  geom::PathRecord record;
+  std::vector<std::string> moved;  // ends, in words
+  std::string why;                 // a line of certificates, or nothing
+  plan::SearchTree tree;           // where it is to be written
+  bool open = false;               // its bound is further away than was asked for
+};
+
+// What all came to.
 struct Planned {
   std::size_t records = 0;
   std::size_t found = 0;
   cli::Batch batch;
   std::size_t timed = 0;  // boxes that are there for a time only
-  std::size_t open = 0;   // paths whose bound is further away than was asked for
+  std::size_t open = 0;
   planning::SnappedEnds snapped;
-  geom::PathRecord last;
-  plan::SearchTree tree;  // of the last query, where it is to be written
+  Answer last;
+
+  void add(Answer answer) {
+    const bool is_found = answer.record.status == geom::PathStatus::found;
+    ++records;
+    found += is_found;
+    open += answer.open;
+    is_found ? batch.add_good() : batch.add_failed(name(answer.record.status));
+    snapped.add(answer.moved);
+    last = std::move(answer);
+  }
 };
 
 // Paths and, where asked for, why there is none.
@@ -49,10 +68,9 @@ class Outputs {
     if (!certificates.empty()) certificates_.emplace(certificates, "certificate", sharding);
   }
 
-  // `why`: a line, or nothing.
-  void add(const geom::PathRecord& record, const std::string& why) {
-    paths_.add(geom::to_json_line(record));
-    if (certificates_) certificates_->add(why);
+  void add(const Answer& answer) {
+    paths_.add(geom::to_json_line(answer.record));
+    if (certificates_) certificates_->add(answer.why);
   }
   void flush() { paths_.flush(); }
   void commit(std::size_t total, cli::Exit exit) {
@@ -65,80 +83,57 @@ class Outputs {
   std::optional<cli::RecordOutput> certificates_;
 };
 
-std::string certificate(const geom::CollisionScene& scene, const geom::PlanQuery& query,
-                        plan::PlanResult& result) {
-  const geom::Vec3 from = result.snapped_start.value_or(query.from);
-  const geom::Vec3 to = result.snapped_goal.value_or(query.to);
-  const geom::Aabb& bounds = scene.map().spec().bounds;
-  if (result.enclosure) {
-    return plan::to_json_line(plan::EnclosureRecord{
-        query.id, from, to, std::move(*result.enclosure), bounds, geom::provenance_of(scene)});
-  }
-  if (!result.bound || !result.bound->proof) return "";
-  return plan::to_json_line(plan::BoundRecord{query.id, from, to, result.bound->bound,
-                                              std::move(*result.bound->proof), bounds,
-                                              geom::provenance_of(scene)});
-}
-
 // Answers queries, by layers where these were named.
 class Answers {
  public:
   Answers(plan::Planner& planner, const geom::CollisionScene& scene,
           const planning::SearchOptions& search)
-      : planner_(planner), search_(search) {
+      : planner_(planner), scene_(scene), search_(search) {
     if (search.layers) layered_.emplace(scene, planner, *search.layers);
   }
 
-  plan::PlanResult to(const geom::PlanQuery& query) {
+  Answer to(const geom::PlanQuery& query) {
+    plan::PlanResult result = plan(query);
+    Answer answer{plan::path_record(scene_, query.id, result),
+                  plan::moved_ends(scene_, query, result), "", std::move(result.tree),
+                  result.bound && !result.bound->closed};
+    answer.record.time = query.time;
+    answer.why = plan::proof_line(scene_, query, std::move(result));
+    return answer;
+  }
+
+ private:
+  plan::PlanResult plan(const geom::PlanQuery& query) {
     return layered_ ? layered_->plan(query.from, query.to, search_.started())
                     : planner_.plan(query.from, query.to, search_.started());
   }
 
- private:
   plan::Planner& planner_;
+  const geom::CollisionScene& scene_;
   const planning::SearchOptions& search_;
   std::optional<plan::LayerPlanner> layered_;
 };
 
 // Paths are written block by block, for the next tool of a pipe.
-Planned plan_each(plan::Planner& planner, const geom::CollisionScene& scene,
-                  const std::vector<geom::PlanQuery>& queries, const geom::Shard& shard,
-                  const planning::SearchOptions& search, const geom::Execution& run, Outputs& out) {
+Planned plan_each(Answers answers, const std::vector<geom::PlanQuery>& queries,
+                  const geom::Shard& shard, const geom::Execution& run, Outputs& out) {
   constexpr std::size_t kBlock = 1024;
   const std::vector<std::size_t> chosen = shard.items(queries.size());
   Planned planned;
-  Answers answers(planner, scene, search);
   for (std::size_t begin = 0; begin < chosen.size(); begin += kBlock) {
-    std::vector<geom::PathRecord> records(std::min(kBlock, chosen.size() - begin));
-    std::vector<std::vector<std::string>> moved(records.size());
-    std::vector<std::string> why(records.size());
-    std::vector<char> open(records.size());
+    std::vector<Answer> block(std::min(kBlock, chosen.size() - begin));
     const auto progress = [&](std::size_t done, std::size_t) {
       if (run.progress) run.progress(begin + done, chosen.size());
     };
-    geom::parallel_for(records.size(), {run.threads, progress}, [&](std::size_t i) {
-      const geom::PlanQuery& query = queries[chosen[begin + i]];
-      plan::PlanResult result = answers.to(query);
-      records[i] = plan::path_record(scene, query.id, result);
-      records[i].time = query.time;
-      moved[i] = planning::moved_ends(scene, query, result);
-      why[i] = certificate(scene, query, result);
-      open[i] = result.bound && !result.bound->closed;
-      if (!search.tree_file.empty()) planned.tree = std::move(result.tree);
+    geom::parallel_for(block.size(), {run.threads, progress}, [&](std::size_t i) {
+      block[i] = answers.to(queries[chosen[begin + i]]);
       geom::trim_mapped_files();
     });
-    for (std::size_t i = 0; i < records.size(); ++i) {
-      const geom::PathRecord& record = records[i];
-      const bool found = record.status == geom::PathStatus::found;
-      planned.found += found;
-      planned.open += static_cast<std::size_t>(open[i]);
-      found ? planned.batch.add_good() : planned.batch.add_failed(name(record.status));
-      out.add(record, why[i]);
+    for (Answer& answer : block) {
+      out.add(answer);
+      planned.add(std::move(answer));
     }
     out.flush();
-    for (const auto& ends : moved) planned.snapped.add(ends);
-    planned.records += records.size();
-    planned.last = std::move(records.back());
   }
   return planned;
 }
@@ -165,7 +160,7 @@ void tell(const cli::Common& common, const Planned& planned, double gap, bool of
                           geom::counted(planned.timed, "box is", "boxes are")));
   }
   planned.batch.tell(common, "skyway-plan", "queries have no path");
-  if (of_one && !planned.found) cli::complain("skyway-plan", planned.last.message);
+  if (of_one && !planned.found) cli::complain("skyway-plan", planned.last.record.message);
 }
 
 }  // namespace
@@ -213,13 +208,13 @@ int main(int argc, char** argv) {
     search.check(queries.size());
     plan::Planner planner(scene, named ? &*named : given.lattice(), given.roadmap());
     Outputs out(output, search.certificate, sharding);
-    Planned planned = plan_each(planner, scene, queries, sharding.shard(), search,
+    Planned planned = plan_each(Answers(planner, scene, search), queries, sharding.shard(),
                                 common.execution("paths"), out);
     planned.timed = scene.map().timed().size();
     const cli::Exit exit = planned.found == planned.records ? cli::Exit::yes : cli::Exit::no;
     out.commit(queries.size(), exit);
     if (!search.tree_file.empty()) {
-      write_tree(search.tree_file, planned.tree, planned.last);
+      write_tree(search.tree_file, planned.last.tree, planned.last.record);
     }
     common.write_stats(
         {{"queries", planned.records}, {"found", planned.found}, {"collision", scenes.stats()}});

@@ -168,19 +168,15 @@ struct Exported {
   std::string missing;  // why there is nothing to fly; empty otherwise
 };
 
+template <class Record>
+Exported exported_record(const Record& record) {
+  return {traj::export_flight(record), record.provenance, traj::why_not_flown(record)};
+}
+
 Exported exported_from(const py::object& what) {
-  if (py::isinstance<traj::TrajectoryRecord>(what)) {
-    const auto& record = what.cast<const traj::TrajectoryRecord&>();
-    const bool solved = record.status == traj::TrajectoryStatus::solved;
-    return {traj::export_flight(record), record.provenance,
-            solved
-                ? ""
-                : fmt::format("the record holds no trajectory (status {})", name(record.status))};
-  }
-  const geom::PathRecord record = path_from(what);
-  const bool found = record.status == geom::PathStatus::found;
-  return {traj::export_flight(record), record.provenance,
-          found ? "" : fmt::format("the record holds no path (status {})", name(record.status))};
+  return py::isinstance<traj::TrajectoryRecord>(what)
+             ? exported_record(what.cast<const traj::TrajectoryRecord&>())
+             : exported_record(path_from(what));
 }
 
 py::dict refused(const traj::MissionExport& made) {

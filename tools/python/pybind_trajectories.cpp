@@ -12,11 +12,9 @@
 #include "geom/record/start_on_map.h"
 #include "pybind_arrays.h"
 #include "pybind_module.h"
+#include "traj/check/check_record.h"
+#include "traj/curve/control_points.h"
 #include "traj/curve/yaw.h"
-#include "traj/proof/check.h"
-#include "traj/proof/exact/exact_check.h"
-#include "traj/record/duration_bound.h"
-#include "traj/record/report_record.h"
 #include "traj/record/solved_record.h"
 
 namespace binding {
@@ -84,31 +82,8 @@ traj::TrajectoryRecord solve(const Scene& self, const py::object& path, const py
   if (!(rho >= 0 && rho <= 1e3)) throw py::value_error("rho: must be within 0 to 1000");
   options.rho = rho;
   const auto yaw = yaw_from(yaw_words, asked[traj::Limit::yaw_rate].has_value(), options.limits);
-  if (record.status != geom::PathStatus::found) {
-    traj::TrajectoryRecord none;
-    none.id = record.id;
-    none.status = traj::TrajectoryStatus::no_path;
-    none.provenance = record.provenance;
-    none.time = record.time;
-    none.limits = options.limits;
-    none.message = record.message.empty() ? std::string(name(record.status)) : record.message;
-    return none;
-  }
   const py::gil_scoped_release released;
-  const auto result = traj::solve(self.scene, traj::waypoints_of(record), options);
-  auto out = traj::trajectory_record(self.scene, record.id, result, options.limits);
-  traj::add_bounds(record, out);
-  out.time = record.time;
-  if (yaw && !out.trajectory.segments.empty()) traj::add_yaw(*yaw, out.trajectory);
-  return out;
-}
-
-std::vector<geom::Vec3> control_points(const traj::Trajectory& trajectory) {
-  std::vector<geom::Vec3> out;
-  for (const traj::Segment& s : trajectory.segments) {
-    out.insert(out.end(), s.point.begin(), s.point.end());
-  }
-  return out;
+  return traj::solve_record(self.scene, record, options, yaw).record;
 }
 
 // As skyway-check has it: stricter than the record as one likes.
@@ -116,29 +91,13 @@ traj::ReportRecord check_trajectory(const Scene& self, const traj::TrajectoryRec
                                     const traj::Limits& asked, bool exact) {
   const geom::Vehicle vehicle =
       agreed_vehicle(record.provenance, self.scene, geom::Differences::stricter_allowed, record.id);
-  traj::ReportRecord report{record.id, "trajectory", {}, geom::provenance_of(self.scene),
-                            {},        {},           {}};
-  report.time = record.time;
-  if (record.status != traj::TrajectoryStatus::solved) {
-    report.result.reason = traj::reason_of(record.status);
-    return report;
+  if (record.status == traj::TrajectoryStatus::solved) {
+    require_metres(self.scene.map().spec().frame, traj::control_points(record.trajectory),
+                   record.id);
   }
-  require_metres(self.scene.map().spec().frame, control_points(record.trajectory), record.id);
-  report.limits = geom::limits_that_hold({asked, record.limits, vehicle.limits});
-  traj::CheckOptions options;
-  options.limits = report.limits;
-  options.start = geom::start_on(self.scene.map(), record.time, record.id, 0);
-  report.by_time = options.start.has_value();
-  report.result = traj::check(self.scene, record.trajectory, options);
-  if (exact) {
-    report.exact = traj::check_exactly(
-        {self.scene.map(), self.scene.vehicle(), self.scene.margin(), report.limits, options.start},
-        record.trajectory);
-  }
-  if (report.result.looked) {
-    traj::refuse_unmeasured(asked, record.trajectory.segments.front().point.front(), report);
-  }
-  traj::add_bounds(record, report);
+  const traj::RecordRules rules{.asked = asked, .of_vehicle = vehicle.limits, .exact = exact};
+  auto report = traj::check_record(self.scene, record, rules, record.id, 0);
+  report.provenance = geom::provenance_of(self.scene);
   return report;
 }
 
@@ -146,21 +105,12 @@ traj::ReportRecord check_path(const Scene& self, const geom::PathRecord& record,
                               const traj::Limits& asked, bool exact) {
   agreed_vehicle(record.provenance, self.scene, geom::Differences::stricter_allowed, record.id);
   geom::start_on(self.scene.map(), {.epoch = record.time.epoch}, record.id, 0);
-  traj::ReportRecord report{record.id, "path", {}, geom::provenance_of(self.scene), {}, {}, {}};
-  report.time = record.time;
-  if (record.status != geom::PathStatus::found) {
-    report.result.reason = traj::Reason::no_path;
-    return report;
+  if (record.status == geom::PathStatus::found) {
+    require_metres(self.scene.map().spec().frame, record.points, record.id);
   }
-  require_metres(self.scene.map().spec().frame, record.points, record.id);
-  report.result = traj::check_path(self.scene, record.points);
-  report.limits = asked;
-  traj::refuse_unmeasured(asked, record.points.front(), report);
-  if (exact) {
-    report.exact = traj::check_exactly(
-        {self.scene.map(), self.scene.vehicle(), self.scene.margin(), {}}, record.points);
-  }
-  traj::add_bounds(record, report);
+  const traj::RecordRules rules{.asked = asked, .exact = exact};
+  auto report = traj::check_record(self.scene, record, rules, record.id, 0);
+  report.provenance = geom::provenance_of(self.scene);
   return report;
 }
 

@@ -15,7 +15,6 @@
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
 #include "geom/base/parallel.h"
-#include "plan/planner/replan.h"
 #include "plan/planner/replanned_record.h"
 
 namespace {
@@ -47,12 +46,6 @@ bool same_scene(const geom::PathRecord& a, const geom::PathRecord& b) {
          a.provenance.margin == b.provenance.margin;
 }
 
-geom::PathRecord passed_on(geom::PathRecord record) {
-  record.bound.reset();  // of another map
-  record.message = "no path to replan" + (record.message.empty() ? "" : ": " + record.message);
-  return record;
-}
-
 // Where the paths from `begin` on end that ask for the scene of the first.
 std::size_t end_of_run(const std::vector<Line>& paths, std::size_t begin) {
   const geom::PathRecord& first = paths[begin].record;
@@ -64,16 +57,6 @@ std::size_t end_of_run(const std::vector<Line>& paths, std::size_t begin) {
   return static_cast<std::size_t>(end - paths.begin());
 }
 
-// Says in the record, too, what could not be kept.
-geom::PathRecord told(plan::ReplannedRecord replanned) {
-  if (!replanned.lost.empty()) {
-    replanned.record.message =
-        fmt::format("the way leaves points {} of the old path, whose holds and velocities are lost",
-                    fmt::join(replanned.lost, ", "));
-  }
-  return std::move(replanned.record);
-}
-
 // A record for each path, in order.
 std::vector<geom::PathRecord> replan_each(const Paths& paths, cli::Scenes& scenes,
                                           const cli::Artefacts& artefacts, plan::Quality quality,
@@ -82,7 +65,7 @@ std::vector<geom::PathRecord> replan_each(const Paths& paths, cli::Scenes& scene
   std::vector<geom::PathRecord> records(lines.size());
   for (std::size_t begin = 0, end = 0; begin < lines.size(); begin = end) {
     if (!found(lines[begin].record)) {
-      records[begin] = passed_on(lines[begin].record);
+      records[begin] = plan::passed_on(lines[begin].record);
       end = begin + 1;
       continue;
     }
@@ -93,9 +76,7 @@ std::vector<geom::PathRecord> replan_each(const Paths& paths, cli::Scenes& scene
     artefacts.require_made_for(scene);
     plan::Planner planner(scene, artefacts.lattice(), artefacts.roadmap());
     geom::parallel_for(end - begin, run, [&](std::size_t i) {
-      const geom::PathRecord& old = lines[begin + i].record;
-      const plan::ReplanResult result = plan::replan(scene, planner, old.points, quality);
-      records[begin + i] = told(plan::replanned_record(scene, old, result));
+      records[begin + i] = plan::replanned(scene, planner, lines[begin + i].record, quality);
     });
   }
   return records;

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <ctime>
 
 #include "cli/file/files.h"
@@ -24,38 +22,6 @@ namespace {
 
 constexpr double kLong = 300;  // seconds of a core: beyond, the reach must be named
 constexpr double kSaid = 20;   // seconds of a core: beyond, it is measured and said beforehand
-
-// What building takes and gives, about: 9 bends a box, and for each a neighbour a metre of reach,
-// as made-up cities have; and all pairs of bends in neighbouring squares as wide as the reach are
-// looked at. On San Francisco a third of it.
-struct Estimate {
-  double bends;
-  double edges;
-  double seconds;  // of one core
-
-  // Of boxes spread over that area.
-  Estimate(std::size_t boxes, double reach, const geom::Aabb& area) {
-    constexpr double kPair = 40e-9;  // seconds
-    bends = 9 * static_cast<double>(boxes);
-    edges = 0.5 * bends * std::min(reach, bends);
-    const geom::Vec3 size = area.max - area.min;
-    const double share = std::min(1.0, 3 * reach / std::max(size.x(), 1.0)) *
-                         std::min(1.0, 3 * reach / std::max(size.y(), 1.0));
-    seconds = 0.5 * bends * bends * share * kPair;
-  }
-
-  // Of no map in particular, so that it is the same on every machine.
-  plan::RoadmapEstimate rough() const { return {bends, edges, bends * 34 + edges * 8, seconds}; }
-};
-
-std::string text(const plan::RoadmapEstimate& estimate) {
-  const double minutes = estimate.seconds / 60;
-  return fmt::format(
-      "about {:.1f} million bends, {:.0f} million edges and {:.1f} GB, and take about {}",
-      estimate.bends / 1e6, estimate.edges / 1e6, estimate.bytes / 1e9,
-      minutes < 2 ? fmt::format("{:.0f} seconds of a core", std::ceil(estimate.seconds))
-                  : fmt::format("{:.0f} minutes of a core", std::ceil(minutes)));
-}
 
 // Seconds of this thread's work.
 double thread_seconds() {
@@ -89,17 +55,18 @@ void check_size(const cli::Common& common, const std::string& map_file,
       spec.region ? scene.boxes_meeting(*spec.region).size() : scene.map().size();
   const geom::Aabb& bounds = scene.map().spec().bounds;
   const geom::Aabb area = spec.region.value_or(bounds);
-  const Estimate estimate(boxes, spec.reach,
-                          {area.min.cwiseMax(bounds.min), area.max.cwiseMin(bounds.max)});
+  const plan::RoadmapEstimate estimate = plan::rough_estimate(
+      boxes, spec.reach, {area.min.cwiseMax(bounds.min), area.max.cwiseMin(bounds.max)});
   if (estimate.seconds > kLong && !named) {
     throw cli::UsageError(
         fmt::format("a roadmap of {} boxes would have {}: give --within (500 m is the "
                     "default), or a smaller --region",
-                    boxes, text(estimate.rough())));
+                    boxes, plan::in_words(estimate)));
   }
   if (estimate.seconds <= kSaid || !all) return;
   common.warn(fmt::format("{}: a roadmap of {} boxes will have {}, by a few of its tiles", map_file,
-                          boxes, text(plan::estimate_roadmap(scene, spec, thread_seconds))));
+                          boxes,
+                          plan::in_words(plan::estimate_roadmap(scene, spec, thread_seconds))));
 }
 
 }  // namespace

@@ -15,10 +15,10 @@
 #include <utility>
 #include <vector>
 
-#include "cli/answer/nearest_word.h"
 #include "cli/file/standard_streams.h"
 #include "cli/option/completion.h"
 #include "cli/run.h"
+#include "geom/text/nearest_word.h"
 
 namespace {
 
@@ -80,7 +80,7 @@ int cannot_run(const std::string& program) {
 
 int unknown(const std::string& word, const char* what, std::vector<std::string> words) {
   cli::complain("skyway",
-                fmt::format("unknown {} \"{}\"{}", what, word, cli::did_you_mean(word, words)));
+                fmt::format("unknown {} \"{}\"{}", what, word, geom::did_you_mean(word, words)));
   cli::say("Try 'skyway help', which lists the verbs.\n");
   return 2;
 }

@@ -11,8 +11,8 @@
 #include "cli/option/scenes.h"
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
-#include "cli/shard/processes.h"
 #include "cli/shard/record_output.h"
+#include "geom/base/processes.h"
 #include "options.h"
 
 namespace {
@@ -55,16 +55,18 @@ struct Outputs {
 
 using Counts = std::map<std::string, std::size_t, std::less<>>;  // by rung or status
 
-solving::Solved answer_to(const geom::PathRecord& path, const std::string& source, std::size_t line,
-                          const solving::Options& options, cli::Scenes& scenes) {
+traj::SolvedRecord answer_to(const geom::PathRecord& path, const std::string& source,
+                             std::size_t line, const solving::Options& options,
+                             cli::Scenes& scenes) {
   if (path.status != geom::PathStatus::found) {
     const auto vehicle =
         scenes.profile() ? std::optional(scenes.profile()->vehicle) : path.provenance.vehicle;
-    return solving::without_path(path, options.limits_for(vehicle.value_or(geom::Vehicle{})));
+    return {traj::without_path(path, options.limits_for(vehicle.value_or(geom::Vehicle{})))};
   }
   const geom::CollisionScene& scene = scenes.scene_for(path.provenance, source, line);
   options.metres.check_input(scene.map().spec().frame, path.points, source, line);
-  return solving::solve(scene, path, options.task(scene.vehicle()));
+  const solving::Task task = options.task(scene.vehicle());
+  return traj::solve_record(scene, path, task.options, task.yaw);
 }
 
 // A process an optimisation: MUMPS is not thread safe.
@@ -83,7 +85,7 @@ Counts solve_each(const Share& share, const solving::Options& options, cli::Scen
     if (run.progress) run.progress(i + 1, share.lines.size());
     out.add(answer);
   };
-  cli::in_processes(share.lines.size(), run.threads, work, take);
+  geom::in_processes(share.lines.size(), run.threads, work, take);
   return counts;
 }
 

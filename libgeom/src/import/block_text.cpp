@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <map>
-#include <optional>
 
-#include "geom/import/box_format.h"
 #include "geom/text/beginning.h"
 #include "geom/text/text_table.h"
 
@@ -51,16 +49,15 @@ std::string colour_of(const TextLines& lines, const std::vector<std::string_view
 
 }  // namespace
 
-BlockText read_block_text(std::istream& in, std::string_view source) {
+ImportedBoxes read_block_text(std::istream& in, std::string_view source) {
   TextLines lines(in, source);
-  BlockText out;
-  std::optional<Aabb> boundary;
+  ImportedBoxes out;
   while (lines.next()) {
     const auto fields = words(lines.line());
     if (fields.empty()) continue;
     if (fields[0] == "boundary") {
-      if (boundary) lines.refuse({.expected = "one boundary", .found = "another"});
-      boundary = parse_box(lines, fields, out.reversed);
+      if (out.bounds) lines.refuse({.expected = "one boundary", .found = "another"});
+      out.bounds = parse_box(lines, fields, out.reversed);
     } else if (fields[0] == "block") {
       const Aabb box = parse_box(lines, fields, out.reversed);
       const int zeros = static_cast<int>((box.min.array() == box.max.array()).count());
@@ -73,29 +70,17 @@ BlockText read_block_text(std::istream& in, std::string_view source) {
                       fmt::format("line {}: {}", lines.number(), fields[0].substr(0, 40)));
     }
   }
-  if (!boundary) lines.refuse({.expected = "a boundary line", .found = "none"});
+  if (!out.bounds) lines.refuse({.expected = "a boundary line", .found = "none"});
   if (out.table.boxes.empty()) {
     lines.refuse(
         {.expected = "at least one block",
          .found = "a boundary alone",
          .advice = "a map needs an obstacle; a block that is the floor, as flat as 0, will do"});
   }
-  out.boundary = *boundary;
   return out;
 }
 
 namespace {
-
-ImportedBoxes import_block_text(std::istream& in, std::string_view source, const ImportOptions&) {
-  BlockText block = read_block_text(in, source);
-  ImportedBoxes out;
-  out.table = std::move(block.table);
-  out.bounds = block.boundary;
-  out.flat = block.flat;
-  out.reversed = block.reversed;
-  out.skipped = std::move(block.skipped);
-  return out;
-}
 
 bool may_be_block_text(std::string_view head) {
   const std::string_view line = first_line(head);
@@ -111,6 +96,10 @@ constexpr Format kFormat{.word = "block-text",
 }  // namespace
 
 constinit const BoxFormat kBlockText{
-    .format = &kFormat, .may_be = may_be_block_text, .read = import_block_text};
+    .format = &kFormat,
+    .may_be = may_be_block_text,
+    .read = [](std::istream& in, std::string_view source, const ImportOptions&) {
+      return read_block_text(in, source);
+    }};
 
 }  // namespace geom

@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 
 #include "geom/base/error.h"
-#include "geom/import/box_format.h"
 #include "geom/text/beginning.h"
 #include "geom/text/parse_json.h"
 
@@ -79,7 +78,7 @@ constexpr std::array<std::string_view, 6> kNames = {"colour", "name",    "label"
                                                     "id",     "comment", "description"};
 
 void note_unknown(const Json& object, std::initializer_list<std::string_view> known,
-                  const std::string& where, WorldJson& out) {
+                  const std::string& where, ImportedBoxes& out) {
   for (const auto& [key, value] : object.items()) {
     if (std::find(known.begin(), known.end(), key) == known.end()) {
       const bool name = std::find(kNames.begin(), kNames.end(), key) != kNames.end();
@@ -94,11 +93,11 @@ void note_unknown(const Json& object, std::initializer_list<std::string_view> kn
 
 }  // namespace
 
-WorldJson read_world_json(std::istream& in, std::string_view source) {
+ImportedBoxes read_world_json(std::istream& in, std::string_view source) {
   const World world(source);
   const Json root = parse_json(in, source);
   if (!root.is_object()) world.refuse({.expected = "a JSON object with \"bounds\" and \"blocks\""});
-  WorldJson out;
+  ImportedBoxes out;
   out.bounds = world.extents(root.value("bounds", Json()), "bounds", out.reversed);
   const Json blocks = root.value("blocks", Json());
   if (!blocks.is_array() || blocks.empty()) {
@@ -123,18 +122,6 @@ WorldJson read_world_json(std::istream& in, std::string_view source) {
 
 namespace {
 
-ImportedBoxes import_world_json(std::istream& in, std::string_view source, const ImportOptions&) {
-  WorldJson world = read_world_json(in, source);
-  ImportedBoxes out;
-  out.table = std::move(world.table);
-  out.bounds = world.bounds;
-  out.flat = world.flat;
-  out.reversed = world.reversed;
-  out.skipped = std::move(world.skipped);
-  out.names = std::move(world.names);
-  return out;
-}
-
 bool may_be_world_json(std::string_view head) { return first_line(head).starts_with('{'); }
 
 constexpr std::string_view kReaders[] = {"skyway-import"};
@@ -146,6 +133,10 @@ constexpr Format kFormat{.word = "world-json",
 }  // namespace
 
 constinit const BoxFormat kRotorPyWorld{
-    .format = &kFormat, .may_be = may_be_world_json, .read = import_world_json};
+    .format = &kFormat,
+    .may_be = may_be_world_json,
+    .read = [](std::istream& in, std::string_view source, const ImportOptions&) {
+      return read_world_json(in, source);
+    }};
 
 }  // namespace geom

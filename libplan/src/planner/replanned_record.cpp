@@ -1,5 +1,8 @@
 #include "plan/planner/replanned_record.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <optional>
 
@@ -71,6 +74,24 @@ ReplannedRecord replanned_record(const geom::CollisionScene& scene, const geom::
     if (!old.velocity.empty() && velocity) record.velocity[*kept.at[i]] = old.velocity[i];
   }
   return out;
+}
+
+geom::PathRecord replanned(const geom::CollisionScene& scene, Planner& planner,
+                           const geom::PathRecord& old, Quality quality) {
+  if (old.status != PathStatus::found) return passed_on(old);
+  ReplannedRecord out = replanned_record(scene, old, replan(scene, planner, old.points, quality));
+  if (!out.lost.empty()) {
+    out.record.message =
+        fmt::format("the way leaves points {} of the old path, whose holds and velocities are lost",
+                    fmt::join(out.lost, ", "));
+  }
+  return std::move(out.record);
+}
+
+geom::PathRecord passed_on(geom::PathRecord record) {
+  record.bound.reset();
+  record.message = "no path to replan" + (record.message.empty() ? "" : ": " + record.message);
+  return record;
 }
 
 }  // namespace plan

@@ -1,6 +1,9 @@
 #include "plan/roadmap/roadmap_estimate.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 
 #include "found_edges.h"
 
@@ -73,6 +76,28 @@ RoadmapEstimate estimate_roadmap(const geom::CollisionScene& scene, const Roadma
   sum.seconds *= times;
   sum.bytes = sum.bends * kBytesOfBend + sum.edges * kBytesOfEdge;
   return sum;
+}
+
+RoadmapEstimate rough_estimate(std::size_t boxes, double reach, const geom::Aabb& area) {
+  constexpr double kPair = 40e-9;  // seconds
+  RoadmapEstimate out;
+  out.bends = 9 * static_cast<double>(boxes);
+  out.edges = 0.5 * out.bends * std::min(reach, out.bends);
+  out.bytes = out.bends * 34 + out.edges * 8;
+  const geom::Vec3 size = area.max - area.min;
+  const double share = std::min(1.0, 3 * reach / std::max(size.x(), 1.0)) *
+                       std::min(1.0, 3 * reach / std::max(size.y(), 1.0));
+  out.seconds = 0.5 * out.bends * out.bends * share * kPair;
+  return out;
+}
+
+std::string in_words(const RoadmapEstimate& estimate) {
+  const double minutes = estimate.seconds / 60;
+  return fmt::format(
+      "about {:.1f} million bends, {:.0f} million edges and {:.1f} GB, and take about {}",
+      estimate.bends / 1e6, estimate.edges / 1e6, estimate.bytes / 1e9,
+      minutes < 2 ? fmt::format("{:.0f} seconds of a core", std::ceil(estimate.seconds))
+                  : fmt::format("{:.0f} minutes of a core", std::ceil(minutes)));
 }
 
 }  // namespace plan

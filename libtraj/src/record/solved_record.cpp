@@ -4,6 +4,7 @@
 
 #include "curve/continuity.h"
 #include "geom/text/json_line.h"
+#include "traj/record/duration_bound.h"
 
 namespace traj {
 namespace {
@@ -39,6 +40,28 @@ std::vector<Waypoint> waypoints_of(const geom::PathRecord& path) {
   for (std::size_t i = 0; i < path.hold.size(); ++i) waypoints[i].hold = path.hold[i];
   for (std::size_t i = 0; i < path.velocity.size(); ++i) waypoints[i].velocity = path.velocity[i];
   return waypoints;
+}
+
+SolvedRecord solve_record(const geom::CollisionScene& scene, const geom::PathRecord& path,
+                          const SolveOptions& options, const std::optional<YawOptions>& yaw) {
+  if (path.status != geom::PathStatus::found) return {without_path(path, options.limits)};
+  const SolveResult result = solve(scene, waypoints_of(path), options);
+  TrajectoryRecord record = trajectory_record(scene, path.id, result, options.limits);
+  add_bounds(path, record);
+  record.time = path.time;
+  if (yaw && !record.trajectory.segments.empty()) add_yaw(*yaw, record.trajectory);
+  return {std::move(record), result.corridor};
+}
+
+TrajectoryRecord without_path(const geom::PathRecord& path, const Limits& limits) {
+  TrajectoryRecord record;
+  record.id = path.id;
+  record.status = TrajectoryStatus::no_path;
+  record.provenance = path.provenance;
+  record.time = path.time;
+  record.limits = limits;
+  record.message = path.message.empty() ? std::string(name(path.status)) : path.message;
+  return record;
 }
 
 }  // namespace traj

@@ -14,8 +14,8 @@ namespace {
 
 TEST(BlockText, ReadsColoursCommentsAndUnknownWords) {
   std::istringstream in("# map\n boundary\t0 0 0 9 9 9\nblock 1 1 1 2 2 2 255 0 0 # red\nfog 3\n");
-  const BlockText text = read_block_text(in, "m.txt");
-  EXPECT_EQ(text.boundary.max, Vec3(9, 9, 9));
+  const ImportedBoxes text = read_block_text(in, "m.txt");
+  EXPECT_EQ(text.bounds->max, Vec3(9, 9, 9));
   EXPECT_EQ(text.table.labels[1], "255 0 0");
   EXPECT_EQ(text.skipped.text(), "1 x unknown keyword (line 4: fog)");
 }
@@ -31,8 +31,8 @@ TEST(BlockText, WantsOneBoundaryAndUprightBlocks) {
 
 TEST(BlockText, TakesCornersInEitherOrder) {
   std::istringstream in("boundary 9 9 9 0 0 0\nblock 1 0 5 0 1 1\nblock 1 1 1 2 2 2\n");
-  const BlockText text = read_block_text(in, "m.txt");
-  EXPECT_EQ(text.boundary, (Aabb{{0, 0, 0}, {9, 9, 9}}));
+  const ImportedBoxes text = read_block_text(in, "m.txt");
+  EXPECT_EQ(text.bounds, (Aabb{{0, 0, 0}, {9, 9, 9}}));
   EXPECT_EQ(text.table.boxes[0], (Aabb{{0, 0, 1}, {1, 1, 5}}));
   EXPECT_EQ(text.reversed, 2u);
 }

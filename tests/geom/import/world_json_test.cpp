@@ -24,13 +24,13 @@ TEST(WorldJson, KeysThatMayTurnOrAddBlocksAreSkipped) {
   EXPECT_EQ(support::built_and_skipped(read_world_json, world("", ",\"rotation\":45")).second, 1u);
 }
 
-WorldJson read(const std::string& text) {
+ImportedBoxes read(const std::string& text) {
   std::istringstream in(text);
   return read_world_json(in, "w.json");
 }
 
 TEST(WorldJson, ReadsBoundsBlocksAndColours) {
-  const WorldJson world =
+  const ImportedBoxes world =
       read(R"({"bounds":{"extents":[-1,9,-2,8,0,7]},"start":[1,1,1],"author":"x","name":"w",)"
            R"("blocks":[{"extents":[1,2,3,4,5,6],"color":[1,0.5,0]},{"extents":[1,1,3,4,5,6]}]})");
   EXPECT_EQ(world.bounds, (Aabb{{-1, -2, 0}, {9, 8, 7}}));
@@ -45,7 +45,7 @@ TEST(WorldJson, ReadsBoundsBlocksAndColours) {
 }
 
 TEST(WorldJson, TakesExtentsInEitherOrder) {
-  const WorldJson world =
+  const ImportedBoxes world =
       read(R"({"bounds":{"extents":[9,0,0,9,0,9]},"blocks":[{"extents":[2,1,1,2,6,5]}]})");
   EXPECT_EQ(world.bounds, (Aabb{{0, 0, 0}, {9, 9, 9}}));
   EXPECT_EQ(world.table.boxes[0], (Aabb{{1, 1, 5}, {2, 2, 6}}));

@@ -64,5 +64,26 @@ TEST(ReplannedRecord, KeepsTheHoldsThatAreLeftAndSaysWhichAreLost) {
   EXPECT_NE(std::find(replanned.lost.begin(), replanned.lost.end(), 2u), replanned.lost.end());
 }
 
+TEST(Replanned, SaysInTheRecordWhichHoldsAreLost) {
+  const auto scene = scene_of({{{38, 45, 0}, {42, 55, 10}}}, kBounds, kHalf);
+  Planner planner(scene);
+  geom::PathRecord old = record_of(kRow);
+  EXPECT_EQ(replanned(scene, planner, old).message, "");
+  old.hold = {0, 0, 7, 0, 0, 0};
+  EXPECT_EQ(replanned(scene, planner, old).message,
+            "the way leaves points 2 of the old path, whose holds and velocities are lost");
+}
+
+TEST(Replanned, PassesOnWhatHoldsNoPathWithoutItsBound) {
+  const auto scene = scene_of({}, kBounds, kHalf);
+  Planner planner(scene);
+  geom::PathRecord old{.id = "a", .status = geom::PathStatus::unreachable, .message = "walled in"};
+  old.bound = 7;
+  const geom::PathRecord record = replanned(scene, planner, old);
+  EXPECT_EQ(record.status, geom::PathStatus::unreachable);
+  EXPECT_EQ(record.message, "no path to replan: walled in");
+  EXPECT_FALSE(record.bound);
+}
+
 }  // namespace
 }  // namespace plan

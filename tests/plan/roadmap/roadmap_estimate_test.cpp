@@ -36,5 +36,25 @@ TEST(RoadmapEstimate, OfNothingIsNothing) {
   EXPECT_EQ(estimate_roadmap(scene, spec, [] { return 0.0; }).bends, 0);
 }
 
+TEST(RoughEstimate, GrowsWithTheBoxesAndTheReachAndFallsWithTheArea) {
+  const geom::Aabb area{{0, 0, 0}, {5000, 5000, 100}};
+  const RoadmapEstimate one = rough_estimate(1000, 500, area);
+  EXPECT_EQ(one.bends, 9000);
+  EXPECT_EQ(one.edges, 0.5 * 9000 * 500);
+  EXPECT_EQ(one.bytes, 34 * one.bends + 8 * one.edges);
+  EXPECT_GT(rough_estimate(2000, 500, area).seconds, 3.9 * one.seconds);
+  EXPECT_GT(rough_estimate(1000, 1000, area).seconds, 3.9 * one.seconds);
+  EXPECT_GT(rough_estimate(1000, 500, {{0, 0, 0}, {2500, 5000, 100}}).seconds, 1.9 * one.seconds);
+}
+
+TEST(RoadmapEstimate, IsSaidInSecondsAndFromTwoMinutesOnInMinutes) {
+  EXPECT_EQ(in_words({1.25e6, 3e7, 2.5e8, 119.5}),
+            "about 1.2 million bends, 30 million edges and 0.2 GB, and take about 120 seconds of a "
+            "core");
+  EXPECT_EQ(in_words({1e6, 3e7, 1e9, 121}),
+            "about 1.0 million bends, 30 million edges and 1.0 GB, and take about 3 minutes of a "
+            "core");
+}
+
 }  // namespace
 }  // namespace plan

@@ -12,17 +12,17 @@
 #include <string>
 #include <vector>
 
-#include "cli/file/drone_formats.h"
-#include "cli/file/foreign_formats.h"
-#include "cli/file/own_formats.h"
-#include "cli/file/recognise.h"
 #include "geom/base/error.h"
 #include "geom/cloud/cloud_format.h"
 #include "geom/gis/footprint_format.h"
 #include "geom/import/import_boxes.h"
 #include "geom/model/model_format.h"
+#include "traj/files/drone_formats.h"
+#include "traj/files/foreign_formats.h"
+#include "traj/files/own_formats.h"
+#include "traj/files/recognise.h"
 
-namespace cli {
+namespace traj::files {
 namespace {
 
 using geom::Format;
@@ -327,4 +327,4 @@ TEST(Formats, StandInTheDocuments) {
 }
 
 }  // namespace
-}  // namespace cli
+}  // namespace traj::files

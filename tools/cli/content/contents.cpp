@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <numeric>
 #include <optional>
 #include <utility>
 
-#include "cli/file/drone_formats.h"
 #include "cli/file/files.h"
 #include "cli/file/recognise.h"
 #include "geom/base/error.h"
@@ -14,6 +12,8 @@
 #include "geom/record/named_map.h"
 #include "geom/text/json_fields.h"
 #include "plan/lattice/lattice_file.h"
+#include "traj/files/drone_formats.h"
+#include "traj/mission/file_records.h"
 
 namespace cli {
 namespace {
@@ -103,40 +103,6 @@ void add_flights(InputFile& file, Contents& out) {
   }
 }
 
-// The whole way of a path that is flown, as skyway-check counts its legs.
-geom::Polyline whole_way(const traj::FlownLegs& flown) {
-  geom::Polyline way = flown.path;
-  const auto at = [](const geom::Vec3& p, double z) { return geom::Vec3(p.x(), p.y(), z); };
-  if (flown.ends.takeoff_from) way.insert(way.begin(), at(way.front(), *flown.ends.takeoff_from));
-  if (flown.ends.landing_on && *flown.ends.landing_on < way.back().z()) {
-    way.push_back(at(way.back(), *flown.ends.landing_on));
-  }
-  return way;
-}
-
-traj::CorridorShape regions(const std::string& id, const geom::Provenance& provenance,
-                            const traj::FlownMission& flown) {
-  traj::CorridorShape shape{id, provenance, {}};
-  for (const traj::Sweep& sweep : flown.sweeps) {
-    if (sweep.hull.size() < 3) continue;
-    traj::CorridorShape::Piece& piece = shape.pieces.emplace_back();
-    piece.vertices = sweep.hull;
-    std::vector<std::uint32_t>& face = piece.faces.emplace_back(sweep.hull.size());
-    std::iota(face.begin(), face.end(), 0u);
-  }
-  return shape;
-}
-
-traj::TrajectoryRecord trajectory_of(const traj::FileFlight& file,
-                                     const geom::Provenance& provenance) {
-  traj::TrajectoryRecord record;
-  record.id = file.id;
-  record.status = traj::TrajectoryStatus::solved;
-  record.provenance = provenance;
-  record.trajectory = traj::trajectory_of(file.flown);
-  return record;
-}
-
 // Paths, as long as there is a path to see; of a trajectory its record.
 void add_drone_file(const std::string& path, const DroneFileOptions& options, Contents& out) {
   InputFile file(path);
@@ -149,21 +115,14 @@ void add_drone_file(const std::string& path, const DroneFileOptions& options, Co
   provenance.frame = frame.axes;
   for (const traj::FileFlight& one :
        read_drone_file(file.read_all(), file.name(), options, frame)) {
-    const traj::FlownLegs* legs = traj::legs_of(one.flown);
-    if (!legs) {
-      out.trajectories.push_back({trajectory_of(one, provenance), file.name(), 0});
-      continue;
+    if (auto legs = traj::path_record(one, provenance, true)) {
+      out.paths.push_back({std::move(*legs), file.name(), 0});
+    } else {
+      out.trajectories.push_back({traj::trajectory_record(one, provenance), file.name(), 0});
     }
-    geom::PathRecord record;
-    record.id = one.id;
-    record.status = geom::PathStatus::found;
-    record.provenance = provenance;
-    record.points = whole_way(*legs);
-    out.paths.push_back({std::move(record), file.name(), 0});
-    const traj::FlownMission* mission = traj::mission_of(one.flown);
-    if (!mission) continue;
-    traj::CorridorShape shape = regions(one.id, provenance, *mission);
-    if (!shape.pieces.empty()) out.corridors.push_back({std::move(shape), file.name(), 0});
+    if (auto regions = traj::regions_record(one, provenance)) {
+      out.corridors.push_back({std::move(*regions), file.name(), 0});
+    }
   }
 }
 
@@ -224,7 +183,7 @@ Contents read_contents(const std::vector<std::string>& inputs, const ContentKind
   Contents out;
   std::vector<std::string> drone_files;
   for (const std::string& path : inputs) {
-    if (kinds.drone_files && is_drone_format(recognise_file(path))) {
+    if (kinds.drone_files && traj::files::is_drone_format(recognise_file(path))) {
       drone_files.push_back(path);
     } else {
       add_input(path, kinds, out);

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "cli/answer/nearest_word.h"
+#include "geom/text/nearest_word.h"
 
 namespace cli {
 namespace {
@@ -39,7 +39,7 @@ std::vector<std::string> names_in(const fs::path& folder) {
 }
 
 std::string similar_file(const fs::path& path) {
-  const auto near = nearest_word(path.filename().string(), names_in(folder_of(path)));
+  const auto near = geom::nearest_word(path.filename().string(), names_in(folder_of(path)));
   if (!near) return "";
   return "; did you mean " +
          (path.has_parent_path() ? path.parent_path() / *near : fs::path(*near)).string() + "?";

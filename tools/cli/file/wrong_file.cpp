@@ -7,14 +7,14 @@
 #include <span>
 #include <vector>
 
-#include "drone_formats.h"
-#include "foreign_formats.h"
 #include "geom/gis/footprint_format.h"
 #include "geom/import/import_boxes.h"
 #include "geom/text/spoken_list.h"
-#include "own_formats.h"
 #include "recognise.h"
 #include "run_files.h"
+#include "traj/files/drone_formats.h"
+#include "traj/files/foreign_formats.h"
+#include "traj/files/own_formats.h"
 #include "traj/mission/formats/mission_format.h"
 #include "traj/mission/formats/mission_formats.h"
 #include "traj/mission/formats/qgc_plan.h"
@@ -26,6 +26,7 @@ namespace {
 using geom::Format;
 using geom::gis::kGeoJsonFeature;
 using geom::gis::kGeoJsonFile;
+namespace known = traj::files;
 
 // What an option or argument takes.
 struct Place {
@@ -36,31 +37,37 @@ struct Place {
 };
 
 const std::array kPlaces = {
-    Place{"", "map", {&kBoxMap}},
-    Place{"", "maps", {&kBoxMap}},
-    Place{"", "before", {&kBoxMap}},
-    Place{"", "after", {&kBoxMap}},
-    Place{"", "--lattice", {&kLattice}},
-    Place{"", "--roadmap", {&kRoadmap}},
-    Place{"", "--queries", {&kQueries, &kQueryTable, &kGeoJsonFeature, &kGeoJsonFile}},
-    Place{"", "--vehicle", {&kVehicleProfile}},
-    Place{"", "--moving", {&kMoving}},
-    Place{"skyway-traj", "paths", {&kPaths}},
-    Place{"skyway-replan", "--paths", {&kPaths}},
-    Place{"skyway-check", "file", {&kTrajectories, &kPaths}, {"--file-format", "--paths-csv"}},
-    Place{"skyway-fleet", "file", {&kTrajectories}},
-    Place{"skyway-fleet", "--alternatives", {&kTrajectories}},
-    Place{"skyway-fleet", "--others", {&kTrajectories}},
-    Place{"skyway-join", "shards", {&kShard}},
+    Place{"", "map", {&known::kBoxMap}},
+    Place{"", "maps", {&known::kBoxMap}},
+    Place{"", "before", {&known::kBoxMap}},
+    Place{"", "after", {&known::kBoxMap}},
+    Place{"", "--lattice", {&known::kLattice}},
+    Place{"", "--roadmap", {&known::kRoadmap}},
+    Place{
+        "", "--queries", {&known::kQueries, &known::kQueryTable, &kGeoJsonFeature, &kGeoJsonFile}},
+    Place{"", "--vehicle", {&known::kVehicleProfile}},
+    Place{"", "--moving", {&known::kMoving}},
+    Place{"skyway-traj", "paths", {&known::kPaths}},
+    Place{"skyway-replan", "--paths", {&known::kPaths}},
+    Place{"skyway-check",
+          "file",
+          {&known::kTrajectories, &known::kPaths},
+          {"--file-format", "--paths-csv"}},
+    Place{"skyway-fleet", "file", {&known::kTrajectories}},
+    Place{"skyway-fleet", "--alternatives", {&known::kTrajectories}},
+    Place{"skyway-fleet", "--others", {&known::kTrajectories}},
+    Place{"skyway-join", "shards", {&known::kShard}},
     Place{"skyway-map", "--add", {geom::kBoxCsv.format}},
     Place{"skyway-map", "--keep-out", {&kGeoJsonFile, &kGeoJsonFeature}},
-    Place{"skyway-map", "--fence", {&traj::kQgcPlan.format, &traj::kWpl.format, &kFenceText}},
+    Place{
+        "skyway-map", "--fence", {&traj::kQgcPlan.format, &traj::kWpl.format, &known::kFenceText}},
 };
 
 // Of two files that one argument takes, a map and what flies.
-const Place kFirst{"", "map_and_file", {&kBoxMap}};
-const Place kSecond{"", "map_and_file", {&kTrajectories}};
-const Place kSecondOfExport{"skyway-export", "map_and_file", {&kTrajectories, &kPaths}};
+const Place kFirst{"", "map_and_file", {&known::kBoxMap}};
+const Place kSecond{"", "map_and_file", {&known::kTrajectories}};
+const Place kSecondOfExport{
+    "skyway-export", "map_and_file", {&known::kTrajectories, &known::kPaths}};
 
 const Place& second_of(const CLI::App& app) {
   return app.get_name() == kSecondOfExport.tool ? kSecondOfExport : kSecond;
@@ -74,29 +81,30 @@ struct Step {
 };
 
 constexpr std::array kSteps = {
-    Step{nullptr, &kShard, "skyway-join puts the shards of a run together"},
-    Step{nullptr, &kFlightLog, "skyway-check --file-format flight-log holds it against a map"},
-    Step{nullptr, &kPx4Log, "skyway-import-flight makes a flight log of it"},
-    Step{&kPaths, &kQueries, "skyway-plan makes paths of them"},
-    Step{&kPaths, &kTrajectories,
+    Step{nullptr, &known::kShard, "skyway-join puts the shards of a run together"},
+    Step{nullptr, &known::kFlightLog,
+         "skyway-check --file-format flight-log holds it against a map"},
+    Step{nullptr, &known::kPx4Log, "skyway-import-flight makes a flight log of it"},
+    Step{&known::kPaths, &known::kQueries, "skyway-plan makes paths of them"},
+    Step{&known::kPaths, &known::kTrajectories,
          "they are solved already, so prove them with skyway-check or write them with "
          "skyway-export"},
-    Step{&kPaths, nullptr, "skyway-plan makes paths"},
-    Step{&kTrajectories, &kPaths, "skyway-traj makes trajectories of them"},
-    Step{&kTrajectories, &kQueries,
+    Step{&known::kPaths, nullptr, "skyway-plan makes paths"},
+    Step{&known::kTrajectories, &known::kPaths, "skyway-traj makes trajectories of them"},
+    Step{&known::kTrajectories, &known::kQueries,
          "skyway-plan makes paths of them, and skyway-traj trajectories of those"},
-    Step{&kTrajectories, nullptr, "skyway-traj makes trajectories of paths"},
-    Step{&kLattice, nullptr, "skyway-lattice makes a lattice of a map"},
-    Step{&kRoadmap, nullptr, "skyway-roadmap makes a roadmap of a map"},
-    Step{&kQueries, nullptr,
+    Step{&known::kTrajectories, nullptr, "skyway-traj makes trajectories of paths"},
+    Step{&known::kLattice, nullptr, "skyway-lattice makes a lattice of a map"},
+    Step{&known::kRoadmap, nullptr, "skyway-roadmap makes a roadmap of a map"},
+    Step{&known::kQueries, nullptr,
          R"(a query is a line such as {"id":"a","from":[0,0,10],"to":[50,20,10]})"},
-    Step{&kMoving, nullptr,
+    Step{&known::kMoving, nullptr,
          R"(an obstacle is a line such as {"type":"moving","id":"a","from":0,"until":60,)"
          R"("min":[0,0,9],"max":[4,4,13],"velocity":[1,0,0],"growth":[0,0,0]})"},
     Step{&kGeoJsonFile, &geom::gis::kKmlFile,
          "ogr2ogr -f GeoJSON zones.geojson zones.kml makes GeoJSON of it"},
-    Step{&kShard, nullptr, "a run with --shard K/N writes shards"},
-    Step{&kVehicleProfile, nullptr, "data/vehicles has some to begin with"},
+    Step{&known::kShard, nullptr, "a run with --shard K/N writes shards"},
+    Step{&known::kVehicleProfile, nullptr, "data/vehicles has some to begin with"},
 };
 
 // A value of an option or argument.
@@ -212,11 +220,12 @@ std::string map_of(const Format& format) {
 
 std::string made_of(const Place& place, const Format& format) {
   const Format* const wanted = place.takes.front();
-  if (wanted == &kBoxMap && &format != &kShard) return map_of(format);
-  if (is_drone_format(&format) && !place.unless.empty()) {
+  if (wanted == &known::kBoxMap && &format != &known::kShard) return map_of(format);
+  if (known::is_drone_format(&format) && !place.unless.empty()) {
     return fmt::format("{} auto reads it", place.unless.front());
   }
-  if (is_drone_format(&format) && (wanted == &kPaths || wanted == &kTrajectories)) {
+  if (known::is_drone_format(&format) &&
+      (wanted == &known::kPaths || wanted == &known::kTrajectories)) {
     return "skyway-import-trajectory makes records of it";
   }
   for (const Step& step : kSteps) {
@@ -255,7 +264,7 @@ std::string refusal_here(const CLI::App& app, const Place& place, const Found& f
 
 std::string refusal_by_tool(const std::string& tool, const Found& found) {
   const bool maker = std::find(std::begin(kMakers), std::end(kMakers), tool) != std::end(kMakers);
-  const std::string advice = maker && &found.format == &kBoxMap
+  const std::string advice = maker && &found.format == &known::kBoxMap
                                  ? "it is a map already, which skyway-map changes"
                                  : use_of(found.format);
   return fmt::format("{}: this is {}, which {} does not read{}{}", found.path, found.what, tool,
@@ -273,10 +282,11 @@ std::optional<std::string> wrong_file(const CLI::App& app, std::string_view sour
   });
   if (input == inputs.end()) return std::nullopt;
   const bool standard = input->path == "stdin";
-  const Format* const format = standard ? recognise(input->head) : recognise_file(input->path);
+  const Format* const format =
+      standard ? known::recognise(input->head) : recognise_file(input->path);
   if (!format) return std::nullopt;
   const Found found{input->path, *format,
-                    described(*format, standard ? input->head : head_of(input->path))};
+                    known::described(*format, standard ? input->head : head_of(input->path))};
   if (const Place* const place = place_of(app, *input, *format)) {
     if (takes(*place, *format)) return std::nullopt;
     return refusal_here(app, *place, found);

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/answer/nearest_word.h"
-#include "unit_hint.h"
+#include "geom/text/nearest_word.h"
+#include "geom/text/unit_hint.h"
 
 namespace cli {
 namespace {
@@ -81,9 +81,9 @@ std::string expectation(const std::string& type) {
 // What may have been meant by a value: another word, or a number that has a unit.
 std::string meant(const CLI::Option& option, const std::string& value) {
   if (const auto words = between(option.get_type_name(), "{", "}")) {
-    return did_you_mean(value, CLI::detail::split(*words, ','));
+    return geom::did_you_mean(value, CLI::detail::split(*words, ','));
   }
-  return unit_hint(value, option.get_description());
+  return geom::unit_hint(value, option.get_description());
 }
 
 std::string refused(const CLI::Option& option, const std::string& value) {
@@ -141,7 +141,8 @@ std::optional<std::string> unknown_option(const CLI::App& app) {
   for (const std::string& word : app.remaining(true)) {
     if (!word.starts_with('-') || word == "-") continue;
     const std::string name = word.substr(0, word.find('='));
-    return fmt::format("there is no option {}{}", name, did_you_mean(name, option_names(app)));
+    return fmt::format("there is no option {}{}", name,
+                       geom::did_you_mean(name, option_names(app)));
   }
   return std::nullopt;
 }
@@ -207,7 +208,7 @@ std::string missing_verb(const CLI::App& app) {
   const std::vector<std::string> left = app.remaining();
   const std::string found =
       left.empty() ? "none"
-                   : fmt::format("\"{}\"{}", left.front(), did_you_mean(left.front(), verbs));
+                   : fmt::format("\"{}\"{}", left.front(), geom::did_you_mean(left.front(), verbs));
   return fmt::format("expected {}, found {}", alternatives(CLI::detail::join(verbs, ",")), found);
 }
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "cli/answer/exit.h"
-#include "cli/answer/nearest_word.h"
 #include "cli/file/files.h"
+#include "geom/text/nearest_word.h"
 #include "numbers_option.h"
 
 namespace cli {
@@ -41,7 +41,7 @@ traj::VehicleProfile parse_vehicle(const std::string& word) {
   throw UsageError(
       fmt::format("--vehicle: expected {}, FILE.json, box:HX,HY,HZ or sphere:R, found \"{}\"{}",
                   fmt::join(names, ", "), word,
-                  did_you_mean(word, std::vector<std::string>(names.begin(), names.end()))));
+                  geom::did_you_mean(word, std::vector<std::string>(names.begin(), names.end()))));
 }
 
 }  // namespace cli

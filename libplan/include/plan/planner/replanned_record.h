@@ -27,4 +27,11 @@ struct ReplannedRecord {
 ReplannedRecord replanned_record(const geom::CollisionScene& scene, const geom::PathRecord& old,
                                  const ReplanResult& result);
 
+// The record of a path of another map, kept or mended over the scene of the planner. Its message
+// says which holds and velocities were lost. A record that holds no path is passed on, without its
+// bound, which is of another map.
+geom::PathRecord replanned(const geom::CollisionScene& scene, Planner& planner,
+                           const geom::PathRecord& old, Quality quality = Quality::normal);
+geom::PathRecord passed_on(geom::PathRecord record);
+
 }  // namespace plan

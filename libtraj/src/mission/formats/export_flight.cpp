@@ -1,5 +1,7 @@
 #include "traj/mission/formats/export_flight.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -49,6 +51,16 @@ ExportFlight export_flight(const geom::PathRecord& record) {
   flight.has_velocities = std::any_of(record.velocity.begin(), record.velocity.end(),
                                       [](const auto& v) { return v && *v != Vec3::Zero(); });
   return flight;
+}
+
+std::string why_not_flown(const TrajectoryRecord& record) {
+  if (record.status == TrajectoryStatus::solved) return {};
+  return fmt::format("the record holds no trajectory (status {})", name(record.status));
+}
+
+std::string why_not_flown(const geom::PathRecord& record) {
+  if (record.status == geom::PathStatus::found) return {};
+  return fmt::format("the record holds no path (status {})", name(record.status));
 }
 
 }  // namespace traj

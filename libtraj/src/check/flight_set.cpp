@@ -1,0 +1,60 @@
+#include "traj/check/flight_set.h"
+
+#include <fmt/format.h>
+
+#include "geom/base/error.h"
+#include "geom/record/agreed_room.h"
+#include "traj/proof/domain.h"
+#include "traj/together/flights_hash.h"
+
+namespace traj {
+
+void FlightSet::require_needs(const TrajectoryRecord& record, const TimedFlight& flight,
+                              std::string_view source, std::size_t line) const {
+  if (needs_.start && !record.time.start) {
+    throw geom::InputError(
+        source, line,
+        {.expected = fmt::format("\"start\" of \"{}\", seconds after the epoch", record.id),
+         .found = "none",
+         .advice = "where obstacles move, a verdict holds for one departure alone"});
+  }
+  if (!needs_.room || task_.rule.spacing.zone || flight.room.minCoeff() > 0) return;
+  throw geom::InputError(
+      source, line,
+      {.expected = "a vehicle with a size along each axis, as the distance follows from that",
+       .found = "none",
+       .advice = "give --separation"});
+}
+
+void FlightSet::add(const TrajectoryRecord& record, const geom::CollisionScene* scene,
+                    std::string_view source, std::size_t line) {
+  const bool first = ids_.empty();
+  if (!ids_.insert(record.id).second) {
+    throw geom::InputError(
+        source, line,
+        {.expected = "each id once", .found = fmt::format("\"{}\" again", record.id)});
+  }
+  if (first) task_.epoch = record.time.epoch;
+  geom::require_epoch_agrees(record.time.epoch, task_.epoch, source, line);
+  if (!scene || outside_domain(record.trajectory, {})) {
+    ++left_out_;
+    return;
+  }
+  TimedFlight flight{nullptr, record.time.starts(), scene->half()};
+  require_needs(record, flight, source, line);
+  task_.map = scene->map().hash();
+  task_.overridden =
+      task_.overridden ||
+      geom::smaller_than_asked({scene->vehicle(), scene->margin()}, record.provenance);
+  flight.trajectory = &trajectories_.emplace_back(record.trajectory);
+  flights_.push_back(flight);
+  task_.ids.push_back(record.id);
+}
+
+TogetherResult FlightSet::check(bool exact, const geom::Execution& run) {
+  task_.rule.exact = exact;
+  task_.flights_hash = flights_hash(task_.ids, flights_, task_.epoch);
+  return check_together(flights_, task_.rule, run);
+}
+
+}  // namespace traj

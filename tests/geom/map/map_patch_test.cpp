@@ -1,0 +1,70 @@
+#include "geom/map/map_patch.h"
+
+#include <gtest/gtest.h>
+
+#include "geom/map/join.h"
+#include "support/refusal.h"
+
+namespace geom {
+namespace {
+
+// Boxes with the ids 3 and 5.
+BoxMap two_boxes() {
+  BoxTable table;
+  table.add({{0, 0, 0}, {1, 1, 1}}, 3);
+  table.add({{4, 4, 0}, {5, 5, 1}}, 5);
+  BoxMapSpec spec;
+  spec.bounds = {{0, 0, 0}, {9, 9, 9}};
+  spec.bounds_from = "option";
+  return {spec, table};
+}
+
+BoxTable one_box() {
+  BoxTable table;
+  table.add({{7, 7, 0}, {8, 8, 1}}, 0, table.label_of("crane"));
+  return table;
+}
+
+TEST(ParseIds, TakesWholeNumbersBetweenCommasAndWhiteSpace) {
+  EXPECT_EQ(parse_ids("1,2 3\r\n\t4,", "ids"), (std::set<std::uint64_t>{1, 2, 3, 4}));
+  EXPECT_TRUE(parse_ids("", "ids").empty());
+  EXPECT_EQ(support::refusal_of([] { parse_ids("1\nx", "ids"); }).find("ids:2: "), 0u);
+  EXPECT_NE(support::refusal_of([] { parse_ids("-1", "ids"); }), "");
+}
+
+TEST(MapPatch, RemovesTheBoxesOfTheIds) {
+  MapPatch patch(two_boxes(), "m");
+  EXPECT_EQ(patch.remove({3}), 1u);
+  const BoxMap made = patch.made();
+  ASSERT_EQ(made.size(), 1u);
+  EXPECT_EQ(made.ids()[0], 5u);
+  EXPECT_NE(made.spec().history.find(R"("removed":1)"), std::string::npos);
+}
+
+TEST(MapPatch, GivesNewBoxesIdsAboveAll) {
+  MapPatch patch(two_boxes(), "m");
+  EXPECT_EQ(patch.add("added", one_box()), 1u);
+  EXPECT_EQ(patch.add("keep_out", one_box()), 1u);
+  const BoxTable table = table_of(patch.made());
+  EXPECT_EQ(std::set<std::uint64_t>(table.ids.begin(), table.ids.end()),
+            (std::set<std::uint64_t>{3, 5, 6, 7}));
+  EXPECT_NE(patch.made().spec().history.find(R"("added":1,"keep_out":1)"), std::string::npos);
+}
+
+TEST(MapPatch, RefusesAnIdThatNoBoxHasAndAMapWithoutBoxes) {
+  MapPatch patch(two_boxes(), "m");
+  EXPECT_EQ(support::refusal_of([&] { patch.remove({4}); }).find("m: "), 0u);
+  patch.remove({3, 5});
+  EXPECT_EQ(support::refusal_of([&] { patch.made(); }).find("m: "), 0u);
+}
+
+TEST(MapPatch, KeepsTheEpochOfTheMap) {
+  MapPatch patch(two_boxes(), "m");
+  patch.set_epoch("2026-05-04T06:30:00Z");
+  EXPECT_EQ(patch.made().spec().epoch, "2026-05-04T06:30:00Z");
+  patch.set_epoch("2026-05-04T06:30:00Z");
+  EXPECT_NE(support::refusal_of([&] { patch.set_epoch("2026-05-05T06:30:00Z"); }), "");
+}
+
+}  // namespace
+}  // namespace geom
