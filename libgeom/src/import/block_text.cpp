@@ -1,11 +1,14 @@
-#include "import/block_text.h"
+// Block text, as courses use it: `boundary|block x0 y0 z0 x1 y1 z1 [r g b]`, fields by white space,
+// `#` starts a comment. There is exactly one boundary, and at least one block; each block has some
+// extent. Ids are line numbers, and a colour becomes the label "R G B". A line with another keyword
+// may have been meant as a block: it is skipped.
 
 #include <fmt/format.h>
 
 #include <map>
 #include <optional>
 
-#include "geom/import/box_format.h"
+#include "geom/import/import_boxes.h"
 #include "geom/text/beginning.h"
 #include "geom/text/text_table.h"
 
@@ -49,11 +52,9 @@ std::string colour_of(const TextLines& lines, const std::vector<std::string_view
   return label;
 }
 
-}  // namespace
-
-BlockText read_block_text(std::istream& in, std::string_view source) {
+ImportedBoxes read_block_text(std::istream& in, std::string_view source, const ImportOptions&) {
   TextLines lines(in, source);
-  BlockText out;
+  ImportedBoxes out;
   std::optional<Aabb> boundary;
   while (lines.next()) {
     const auto fields = words(lines.line());
@@ -80,20 +81,7 @@ BlockText read_block_text(std::istream& in, std::string_view source) {
          .found = "a boundary alone",
          .advice = "a map needs an obstacle; a block that is the floor, as flat as 0, will do"});
   }
-  out.boundary = *boundary;
-  return out;
-}
-
-namespace {
-
-ImportedBoxes import_block_text(std::istream& in, std::string_view source, const ImportOptions&) {
-  BlockText block = read_block_text(in, source);
-  ImportedBoxes out;
-  out.table = std::move(block.table);
-  out.bounds = block.boundary;
-  out.flat = block.flat;
-  out.reversed = block.reversed;
-  out.skipped = std::move(block.skipped);
+  out.bounds = boundary;
   return out;
 }
 
@@ -111,6 +99,6 @@ constexpr Format kFormat{.word = "block-text",
 }  // namespace
 
 constinit const BoxFormat kBlockText{
-    .format = &kFormat, .may_be = may_be_block_text, .read = import_block_text};
+    .format = &kFormat, .may_be = may_be_block_text, .read = read_block_text};
 
 }  // namespace geom

@@ -1,4 +1,7 @@
-#include "import/world_json.h"
+// RotorPy worlds: JSON with `bounds` and `blocks`, extents as xmin,xmax,ymin,ymax,zmin,zmax. Ids
+// count the blocks from 0, and a colour becomes the label "R G B". The keys of a course (start,
+// goal, resolution, margin, expected_path_length) are no obstacles. Other keys may mean obstacles,
+// or turn blocks: they are skipped, unless their name says that they are no geometry.
 
 #include <fmt/format.h>
 
@@ -10,7 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geom/base/error.h"
-#include "geom/import/box_format.h"
+#include "geom/import/import_boxes.h"
 #include "geom/text/beginning.h"
 #include "geom/text/parse_json.h"
 
@@ -79,7 +82,7 @@ constexpr std::array<std::string_view, 6> kNames = {"colour", "name",    "label"
                                                     "id",     "comment", "description"};
 
 void note_unknown(const Json& object, std::initializer_list<std::string_view> known,
-                  const std::string& where, WorldJson& out) {
+                  const std::string& where, ImportedBoxes& out) {
   for (const auto& [key, value] : object.items()) {
     if (std::find(known.begin(), known.end(), key) == known.end()) {
       const bool name = std::find(kNames.begin(), kNames.end(), key) != kNames.end();
@@ -92,13 +95,11 @@ void note_unknown(const Json& object, std::initializer_list<std::string_view> kn
   }
 }
 
-}  // namespace
-
-WorldJson read_world_json(std::istream& in, std::string_view source) {
+ImportedBoxes read_world_json(std::istream& in, std::string_view source, const ImportOptions&) {
   const World world(source);
   const Json root = parse_json(in, source);
   if (!root.is_object()) world.refuse({.expected = "a JSON object with \"bounds\" and \"blocks\""});
-  WorldJson out;
+  ImportedBoxes out;
   out.bounds = world.extents(root.value("bounds", Json()), "bounds", out.reversed);
   const Json blocks = root.value("blocks", Json());
   if (!blocks.is_array() || blocks.empty()) {
@@ -121,20 +122,6 @@ WorldJson read_world_json(std::istream& in, std::string_view source) {
   return out;
 }
 
-namespace {
-
-ImportedBoxes import_world_json(std::istream& in, std::string_view source, const ImportOptions&) {
-  WorldJson world = read_world_json(in, source);
-  ImportedBoxes out;
-  out.table = std::move(world.table);
-  out.bounds = world.bounds;
-  out.flat = world.flat;
-  out.reversed = world.reversed;
-  out.skipped = std::move(world.skipped);
-  out.names = std::move(world.names);
-  return out;
-}
-
 bool may_be_world_json(std::string_view head) { return first_line(head).starts_with('{'); }
 
 constexpr std::string_view kReaders[] = {"skyway-import"};
@@ -146,6 +133,6 @@ constexpr Format kFormat{.word = "world-json",
 }  // namespace
 
 constinit const BoxFormat kRotorPyWorld{
-    .format = &kFormat, .may_be = may_be_world_json, .read = import_world_json};
+    .format = &kFormat, .may_be = may_be_world_json, .read = read_world_json};
 
 }  // namespace geom
