@@ -29,12 +29,6 @@ enum class Reason {
   bounds,
   collision,
   undecided,
-  // A limit that does not hold: broken() says which.
-  first_broken,
-  last_broken = first_broken + geom::kLimits - 1,
-  // A limit that was asked for and is not measured: unmeasured() says which.
-  first_unmeasured,
-  last_unmeasured = first_unmeasured + geom::kLimits - 1,
   // A mission: the way up, what it lands on, the autopilot's envelope, a return that it does not
   // say, a place other than the trajectory's end, a fence.
   takeoff,
@@ -46,7 +40,13 @@ enum class Reason {
   end,
   fence,
   // A record's own bound on its duration, or on the length of paths, that cannot be.
-  duration_bound
+  duration_bound,
+  // A limit that does not hold: broken() says which.
+  first_broken,
+  last_broken = first_broken + geom::kLimits - 1,
+  // A limit that was asked for and is not measured: unmeasured() says which.
+  first_unmeasured,
+  last_unmeasured = first_unmeasured + geom::kLimits - 1
 };
 // That a limit does not hold, or is not measured.
 constexpr Reason broken(Limit limit) {
