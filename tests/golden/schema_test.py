@@ -43,6 +43,18 @@ def require_one_definition_each():
     assert used == set(defined), used ^ set(defined)
 
 
+def require_all_limits():
+    """The definitions name each limit and each quantity of geom::kLimitKinds."""
+    table = (source / "libgeom/include/geom/vehicle/limits.h").read_text(encoding="utf-8")
+    rows = re.findall(r'\{Limit::\w+, "(\w+)", "(\w+)"', table)
+    defined = schemas.definitions(source)
+    assert rows and {name for name, _ in rows} == set(defined["limit"]["enum"])
+    assert {quantity for _, quantity in rows} == set(defined["quantity"]["enum"])
+    for _, quantity in rows:
+        for kind, key in (("extremes", quantity), ("extremes", quantity + "_time"), ("pieces_of_quantities", quantity)):
+            assert any(re.search(pattern, key) for pattern in defined[kind]["patternProperties"]), key
+
+
 def records():
     """Each with its place and whether it is what a tool printed."""
     for path in sorted((source / "tests/golden").glob("*.txt")):
@@ -57,6 +69,7 @@ def records():
 
 
 require_one_definition_each()
+require_all_limits()
 known = schemas.validators(source)
 count = {}
 for place, printed, record in records():

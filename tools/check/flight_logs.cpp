@@ -25,11 +25,14 @@ void FlightLogs::add_to(CLI::App& app) {
 void FlightLogs::refuse_idle(const CLI::App& app, bool asked) const {
   cli::only_for(app, asked, {"--plan", "--tube"}, "flight logs (--file-format flight-log)");
   if (!asked) return;
+  constexpr const char* kApply = "records and drone files";
   cli::only_for(app, false,
                 {"--exact", "--certificate", "--profile", "--override", "--no-clearance", "--spare",
-                 "--junit", "--vmax", "--amax", "--jmax", "--vmax-h", "--vmax-v", "--tilt",
-                 "--thrust", "--body-rate", "--yaw-rate"},
-                "records and drone files");
+                 "--junit"},
+                kApply);
+  for (const geom::LimitKind& kind : geom::kLimitKinds) {
+    cli::only_for(app, false, {kind.option}, kApply);
+  }
   if (!tube_.empty() && plan_.empty()) throw cli::UsageError("--tube needs --plan");
 }
 

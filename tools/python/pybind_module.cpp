@@ -49,6 +49,13 @@ traj::Limits limits_from(const py::object& object) {
   return limits;
 }
 
+// In the order of reports.
+py::tuple limited_quantities() {
+  py::list out;
+  for (const traj::Limit limit : traj::kOrderOfLimits) out.append(traj::kind_of(limit).quantity);
+  return py::tuple(out);
+}
+
 py::dict dict_of(const traj::Limits& limits) {
   py::dict out;
   for (const traj::LimitKind& kind : traj::kLimitKinds) {
@@ -122,6 +129,7 @@ void bind_errors(py::module_& module) {
 
 PYBIND11_MODULE(_skyway, module) {
   module.attr("__version__") = SKYWAY_VERSION;
+  module.attr("_limited_quantities") = binding::limited_quantities();
   binding::bind_errors(module);
   binding::bind_artefacts(module);
   binding::bind_import_boxes(module);

@@ -1,9 +1,14 @@
-#include "import/block_text.h"
+// Block text, as courses use it: `boundary|block x0 y0 z0 x1 y1 z1 [r g b]`, fields by white space,
+// `#` starts a comment. There is exactly one boundary, and at least one block; each block has some
+// extent. Ids are line numbers, and a colour becomes the label "R G B". A line with another keyword
+// may have been meant as a block: it is skipped.
 
 #include <fmt/format.h>
 
 #include <map>
+#include <optional>
 
+#include "geom/import/import_boxes.h"
 #include "geom/text/beginning.h"
 #include "geom/text/text_table.h"
 
@@ -47,17 +52,16 @@ std::string colour_of(const TextLines& lines, const std::vector<std::string_view
   return label;
 }
 
-}  // namespace
-
-ImportedBoxes read_block_text(std::istream& in, std::string_view source) {
+ImportedBoxes read_block_text(std::istream& in, std::string_view source, const ImportOptions&) {
   TextLines lines(in, source);
   ImportedBoxes out;
+  std::optional<Aabb> boundary;
   while (lines.next()) {
     const auto fields = words(lines.line());
     if (fields.empty()) continue;
     if (fields[0] == "boundary") {
-      if (out.bounds) lines.refuse({.expected = "one boundary", .found = "another"});
-      out.bounds = parse_box(lines, fields, out.reversed);
+      if (boundary) lines.refuse({.expected = "one boundary", .found = "another"});
+      boundary = parse_box(lines, fields, out.reversed);
     } else if (fields[0] == "block") {
       const Aabb box = parse_box(lines, fields, out.reversed);
       const int zeros = static_cast<int>((box.min.array() == box.max.array()).count());
@@ -70,17 +74,16 @@ ImportedBoxes read_block_text(std::istream& in, std::string_view source) {
                       fmt::format("line {}: {}", lines.number(), fields[0].substr(0, 40)));
     }
   }
-  if (!out.bounds) lines.refuse({.expected = "a boundary line", .found = "none"});
+  if (!boundary) lines.refuse({.expected = "a boundary line", .found = "none"});
   if (out.table.boxes.empty()) {
     lines.refuse(
         {.expected = "at least one block",
          .found = "a boundary alone",
          .advice = "a map needs an obstacle; a block that is the floor, as flat as 0, will do"});
   }
+  out.bounds = boundary;
   return out;
 }
-
-namespace {
 
 bool may_be_block_text(std::string_view head) {
   const std::string_view line = first_line(head);
@@ -96,10 +99,6 @@ constexpr Format kFormat{.word = "block-text",
 }  // namespace
 
 constinit const BoxFormat kBlockText{
-    .format = &kFormat,
-    .may_be = may_be_block_text,
-    .read = [](std::istream& in, std::string_view source, const ImportOptions&) {
-      return read_block_text(in, source);
-    }};
+    .format = &kFormat, .may_be = may_be_block_text, .read = read_block_text};
 
 }  // namespace geom

@@ -6,11 +6,6 @@
 #include "geom/text/counted.h"
 #include "geom/text/json_line.h"
 #include "geom/text/spoken_list.h"
-#include "import/block_text.h"
-#include "import/jps3d_map.h"
-#include "import/octomap.h"
-#include "import/voxel_3dmap.h"
-#include "import/world_json.h"
 
 namespace geom {
 namespace {

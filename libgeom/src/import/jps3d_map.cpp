@@ -1,4 +1,8 @@
-#include "import/jps3d_map.h"
+// Voxel maps of jps3d (KumarRobotics): lines `- KEY: VALUE` (or `KEY: VALUE`) of YAML, where a
+// value is a number, or numbers between [ and ], perhaps over several lines; # starts a comment.
+// origin (3 coordinates of the grid's lower corner), dim (3 counts), resolution (metres, > 0) and
+// data, x fastest, are needed; above 0 is occupied, 0 free, below 0 unknown. start and goal are no
+// obstacles. Ids are indices into data, and the bounds are the whole grid.
 
 #include <fmt/format.h>
 
@@ -13,7 +17,7 @@
 
 #include "geom/base/error.h"
 #include "geom/base/rounding.h"
-#include "geom/import/box_format.h"
+#include "geom/import/import_boxes.h"
 #include "geom/text/beginning.h"
 #include "geom/text/number.h"
 #include "geom/text/text_table.h"
@@ -225,9 +229,8 @@ struct Planes {
   double change = 0;
 };
 
-}  // namespace
-
-Jps3dMap read_jps3d_map(std::istream& in, std::string_view source, const Jps3dOptions& options) {
+ImportedBoxes read_jps3d_map(std::istream& in, std::string_view source,
+                             const ImportOptions& options) {
   const std::string text(std::istreambuf_iterator<char>(in), {});
   Reader reader(text, source);
   const auto values = reader.read();
@@ -236,10 +239,10 @@ Jps3dMap read_jps3d_map(std::istream& in, std::string_view source, const Jps3dOp
   const Planes x(grid.origin[0], grid.dim[0], grid.resolution);
   const Planes y(grid.origin[1], grid.dim[1], grid.resolution);
   const Planes z(grid.origin[2], grid.dim[2], grid.resolution);
-  Jps3dMap out;
+  ImportedBoxes out;
   out.table.labels = {"", "unknown"};
-  out.bounds = {{x.low.front(), y.low.front(), z.low.front()},
-                {x.high.back(), y.high.back(), z.high.back()}};
+  out.bounds = Aabb{{x.low.front(), y.low.front(), z.low.front()},
+                    {x.high.back(), y.high.back(), z.high.back()}};
   out.largest_change = std::max({x.change, y.change, z.change});
   for (std::size_t at = 0; at < data.size(); ++at) {
     if (data[at] == 0) continue;
@@ -254,19 +257,6 @@ Jps3dMap read_jps3d_map(std::istream& in, std::string_view source, const Jps3dOp
   }
   if (out.table.boxes.empty())
     reader.refuse({.expected = "at least one occupied cell", .found = "none"});
-  return out;
-}
-
-namespace {
-
-ImportedBoxes import_jps3d_map(std::istream& in, std::string_view source,
-                               const ImportOptions& options) {
-  Jps3dMap map = read_jps3d_map(in, source, {options.unknown_blocked});
-  ImportedBoxes out;
-  out.table = std::move(map.table);
-  out.bounds = map.bounds;
-  out.unknown = map.unknown;
-  out.largest_change = map.largest_change;
   return out;
 }
 
@@ -286,6 +276,6 @@ constexpr Format kFormat{
 }  // namespace
 
 constinit const BoxFormat kJps3d{
-    .format = &kFormat, .may_be = may_be_jps3d_map, .read = import_jps3d_map, .has_unknown = true};
+    .format = &kFormat, .may_be = may_be_jps3d_map, .read = read_jps3d_map, .has_unknown = true};
 
 }  // namespace geom

@@ -1,3 +1,7 @@
+// OctoMap's binary trees (`.bt`), read by liboctomap: a box a leaf, whose ids count the boxes from
+// 0. The bounds are those of all cells seen, free or occupied. Cells within them that were never
+// seen are those of the octree, clipped.
+
 #include <fmt/format.h>
 #include <octomap/OcTree.h>
 
@@ -6,11 +10,10 @@
 #include <sstream>
 
 #include "geom/base/error.h"
-#include "geom/import/box_format.h"
+#include "geom/import/import_boxes.h"
 #include "geom/text/beginning.h"
 #include "geom/text/counted.h"
 #include "geom/text/text_table.h"
-#include "import/octomap.h"
 
 namespace geom {
 namespace {
@@ -84,14 +87,17 @@ void walk(const std::string& bytes, std::size_t& at, int level, std::string_view
 
 class Reader {
  public:
-  Reader(const octomap::OcTree& tree, const OctomapOptions& options, Octomap& out)
-      : tree_(tree), options_(options), out_(out) {}
+  Reader(const octomap::OcTree& tree, bool unknown_blocked)
+      : tree_(tree), unknown_blocked_(unknown_blocked) {}
 
-  void read() {
+  ImportedBoxes read() {
     out_.table.labels = {"", "unknown"};
     visit_seen(tree_.getRoot(), root());
-    if (out_.occupied + out_.free > 0) visit_unknown(tree_.getRoot(), root());
+    if (out_.bounds) visit_unknown(tree_.getRoot(), root());
+    return std::move(out_);
   }
+
+  std::size_t free() const { return free_; }  // leaves
 
  private:
   using Node = octomap::OcTreeNode;
@@ -109,8 +115,8 @@ class Reader {
   }
 
   Aabb box(const Cube& cube) const {
-    return {cube.low.cast<double>() * out_.resolution,
-            (cube.low.array() + cube.size).matrix().cast<double>() * out_.resolution};
+    return {cube.low.cast<double>() * tree_.getResolution(),
+            (cube.low.array() + cube.size).matrix().cast<double>() * tree_.getResolution()};
   }
 
   void add(const Aabb& box, std::uint32_t label) {
@@ -125,12 +131,11 @@ class Reader {
       return;
     }
     const Aabb cell = box(cube);
-    out_.bounds = out_.occupied + out_.free == 0 ? cell : merged(out_.bounds, cell);
+    out_.bounds = out_.bounds ? merged(*out_.bounds, cell) : cell;
     if (tree_.isNodeOccupied(node)) {
-      ++out_.occupied;
       add(cell, 0);
     } else {
-      ++out_.free;
+      ++free_;
     }
   }
 
@@ -142,20 +147,20 @@ class Reader {
     }
     if (node) return;
     Aabb cell = box(cube);
-    cell = {cell.min.cwiseMax(out_.bounds.min), cell.max.cwiseMin(out_.bounds.max)};
+    cell = {cell.min.cwiseMax(out_.bounds->min), cell.max.cwiseMin(out_.bounds->max)};
     if ((cell.min.array() >= cell.max.array()).any()) return;
     ++out_.unknown;
-    if (options_.unknown_blocked) add(cell, 1);
+    if (unknown_blocked_) add(cell, 1);
   }
 
   const octomap::OcTree& tree_;
-  const OctomapOptions& options_;
-  Octomap& out_;
+  const bool unknown_blocked_;
+  ImportedBoxes out_;
+  std::size_t free_ = 0;
 };
 
-}  // namespace
-
-Octomap read_octomap(std::istream& in, std::string_view source, const OctomapOptions& options) {
+ImportedBoxes read_octomap(std::istream& in, std::string_view source,
+                           const ImportOptions& options) {
   const std::string bytes(std::istreambuf_iterator<char>(in), {});
   const Header header = read_header(bytes, source);
   std::size_t end = header.data;
@@ -170,25 +175,12 @@ Octomap read_octomap(std::istream& in, std::string_view source, const OctomapOpt
   if (!data || !tree.getRoot())
     refuse(source,
            {.says = "found a tree that liboctomap cannot read", .advice = "the file is damaged"});
-  Octomap out;
-  out.resolution = header.resolution;
-  Reader(tree, options, out).read();
+  Reader reader(tree, options.unknown_blocked);
+  ImportedBoxes out = reader.read();
   if (out.table.boxes.empty()) {
     refuse(source, {.expected = "at least one occupied cell",
-                    .found = fmt::format("none ({} free)", out.free)});
+                    .found = fmt::format("none ({} free)", reader.free())});
   }
-  return out;
-}
-
-namespace {
-
-ImportedBoxes import_octomap(std::istream& in, std::string_view source,
-                             const ImportOptions& options) {
-  Octomap tree = read_octomap(in, source, {options.unknown_blocked});
-  ImportedBoxes out;
-  out.table = std::move(tree.table);
-  out.bounds = tree.bounds;
-  out.unknown = tree.unknown;
   return out;
 }
 
@@ -202,7 +194,7 @@ constexpr Format kFormat{.word = "octomap",
 
 constinit const BoxFormat kOctomapTree{.format = &kFormat,
                                        .may_be = begins_with<"# Octomap">,
-                                       .read = import_octomap,
+                                       .read = read_octomap,
                                        .has_unknown = true};
 
 }  // namespace geom

@@ -1,10 +1,12 @@
-#include "import/voxel_3dmap.h"
+// Moving AI `.3dmap` voxel worlds (Brewer and Sturtevant, SoCS 2018): `voxel X Y Z` with the size
+// of the grid, then one filled voxel `x y z` a line, which is the unit box from there. Ids are line
+// numbers, and the bounds are the whole grid.
 
 #include <fmt/format.h>
 
 #include <charconv>
 
-#include "geom/import/box_format.h"
+#include "geom/import/import_boxes.h"
 #include "geom/text/beginning.h"
 #include "geom/text/text_table.h"
 
@@ -39,16 +41,14 @@ Eigen::Vector3i whole_numbers(const TextLines& lines, std::string_view text,
   return v;
 }
 
-}  // namespace
-
-VoxelMap read_voxel_3dmap(std::istream& in, std::string_view source) {
+ImportedBoxes read_voxel_3dmap(std::istream& in, std::string_view source, const ImportOptions&) {
   TextLines lines(in, source);
   if (!lines.next() || !lines.line().starts_with("voxel")) {
     lines.refuse({.expected = "\"voxel X Y Z\"", .found = in_quotes(lines.line().substr(0, 60))});
   }
   const Eigen::Vector3i size = whole_numbers(
       lines, lines.line().substr(5), {"the grid's size", 1, Eigen::Vector3i::Constant(1000000)});
-  VoxelMap out;
+  ImportedBoxes out;
   out.bounds = {Vec3::Zero(), size.cast<double>()};
   while (lines.next()) {
     if (lines.line().empty()) continue;
@@ -58,16 +58,6 @@ VoxelMap read_voxel_3dmap(std::istream& in, std::string_view source) {
   }
   if (out.table.boxes.empty())
     lines.refuse({.expected = "at least one filled voxel", .found = "none"});
-  return out;
-}
-
-namespace {
-
-ImportedBoxes import_voxel_3dmap(std::istream& in, std::string_view source, const ImportOptions&) {
-  VoxelMap voxels = read_voxel_3dmap(in, source);
-  ImportedBoxes out;
-  out.table = std::move(voxels.table);
-  out.bounds = voxels.bounds;
   return out;
 }
 
@@ -82,6 +72,6 @@ constexpr Format kFormat{.word = "3dmap",
 }  // namespace
 
 constinit const BoxFormat kVoxelMap{
-    .format = &kFormat, .may_be = may_be_voxel_3dmap, .read = import_voxel_3dmap};
+    .format = &kFormat, .may_be = may_be_voxel_3dmap, .read = read_voxel_3dmap};
 
 }  // namespace geom

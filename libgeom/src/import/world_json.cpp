@@ -1,4 +1,7 @@
-#include "import/world_json.h"
+// RotorPy worlds: JSON with `bounds` and `blocks`, extents as xmin,xmax,ymin,ymax,zmin,zmax. Ids
+// count the blocks from 0, and a colour becomes the label "R G B". The keys of a course (start,
+// goal, resolution, margin, expected_path_length) are no obstacles. Other keys may mean obstacles,
+// or turn blocks: they are skipped, unless their name says that they are no geometry.
 
 #include <fmt/format.h>
 
@@ -10,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geom/base/error.h"
+#include "geom/import/import_boxes.h"
 #include "geom/text/beginning.h"
 #include "geom/text/parse_json.h"
 
@@ -91,9 +95,7 @@ void note_unknown(const Json& object, std::initializer_list<std::string_view> kn
   }
 }
 
-}  // namespace
-
-ImportedBoxes read_world_json(std::istream& in, std::string_view source) {
+ImportedBoxes read_world_json(std::istream& in, std::string_view source, const ImportOptions&) {
   const World world(source);
   const Json root = parse_json(in, source);
   if (!root.is_object()) world.refuse({.expected = "a JSON object with \"bounds\" and \"blocks\""});
@@ -120,8 +122,6 @@ ImportedBoxes read_world_json(std::istream& in, std::string_view source) {
   return out;
 }
 
-namespace {
-
 bool may_be_world_json(std::string_view head) { return first_line(head).starts_with('{'); }
 
 constexpr std::string_view kReaders[] = {"skyway-import"};
@@ -133,10 +133,6 @@ constexpr Format kFormat{.word = "world-json",
 }  // namespace
 
 constinit const BoxFormat kRotorPyWorld{
-    .format = &kFormat,
-    .may_be = may_be_world_json,
-    .read = [](std::istream& in, std::string_view source, const ImportOptions&) {
-      return read_world_json(in, source);
-    }};
+    .format = &kFormat, .may_be = may_be_world_json, .read = read_world_json};
 
 }  // namespace geom

@@ -1,24 +1,24 @@
-#include "import/jps3d_map.h"
-
 #include <gtest/gtest.h>
 
 #include <sstream>
 
+#include "geom/import/import_boxes.h"
 #include "support/refusal.h"
 
 namespace geom {
 namespace {
 
-Jps3dMap read(const std::string& text, bool unknown_blocked = false) {
+ImportedBoxes read(const std::string& text, bool unknown_blocked = false) {
   std::istringstream in(text);
-  return read_jps3d_map(in, "m.yaml", {unknown_blocked});
+  return import_boxes(in, kJps3d, "m.yaml", {.unknown_blocked = unknown_blocked});
 }
 
 const std::string kHead =
     "- start: [0, 0, 0]\n- origin: [1, 2, 3]\n- dim: [2, 1, 2]\n- resolution: 0.5\n";
 
 TEST(Jps3dMap, IsABoxAnOccupiedCellXFastest) {
-  const Jps3dMap map = read("# a map\n" + kHead + "- data: [0, 1, # comment\n  -1,\n  100, ]\n");
+  const ImportedBoxes map =
+      read("# a map\n" + kHead + "- data: [0, 1, # comment\n  -1,\n  100, ]\n");
   ASSERT_EQ(map.table.boxes.size(), 2u);
   EXPECT_EQ(map.table.boxes[0], (Aabb{{1.5, 2, 3}, {2, 2.5, 3.5}}));
   EXPECT_EQ(map.table.boxes[1], (Aabb{{1.5, 2, 3.5}, {2, 2.5, 4}}));
@@ -29,13 +29,13 @@ TEST(Jps3dMap, IsABoxAnOccupiedCellXFastest) {
 }
 
 TEST(Jps3dMap, BlocksUnknownCellsWhereAsked) {
-  const Jps3dMap map = read(kHead + "- data: [0, 1, -1, 0]", true);
+  const ImportedBoxes map = read(kHead + "- data: [0, 1, -1, 0]", true);
   ASSERT_EQ(map.table.boxes.size(), 2u);
   EXPECT_EQ(map.table.labels[map.table.label[1]], "unknown");
 }
 
 TEST(Jps3dMap, RoundsFacesOutward) {
-  const Jps3dMap map =
+  const ImportedBoxes map =
       read("origin: [0.1, 0, 0]\ndim: [3, 1, 1]\nresolution: 0.1\ndata: [0, 0, 1]\n");
   EXPECT_LE(map.table.boxes[0].min.x(), 0.3);
   EXPECT_GE(map.table.boxes[0].max.x(), 0.4);

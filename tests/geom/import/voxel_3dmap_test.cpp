@@ -1,21 +1,20 @@
-#include "import/voxel_3dmap.h"
-
 #include <gtest/gtest.h>
 
 #include <sstream>
 
+#include "geom/import/import_boxes.h"
 #include "support/refusal.h"
 
 namespace geom {
 namespace {
 
-VoxelMap read(const std::string& text) {
+ImportedBoxes read(const std::string& text) {
   std::istringstream in(text);
-  return read_voxel_3dmap(in, "w.3dmap");
+  return import_boxes(in, kVoxelMap, "w.3dmap");
 }
 
 TEST(Voxel3dmap, EachVoxelIsAUnitBoxWithTheNumberOfItsLine) {
-  const VoxelMap map = read("voxel 4 5 6\r\n0 0 0\n\n 3\t4 5 \n");
+  const ImportedBoxes map = read("voxel 4 5 6\r\n0 0 0\n\n 3\t4 5 \n");
   EXPECT_EQ(map.bounds, (Aabb{{0, 0, 0}, {4, 5, 6}}));
   EXPECT_EQ(map.table.boxes, (std::vector<Aabb>{{{0, 0, 0}, {1, 1, 1}}, {{3, 4, 5}, {4, 5, 6}}}));
   EXPECT_EQ(map.table.ids, (std::vector<std::uint64_t>{2, 4}));

@@ -1,32 +1,27 @@
-#include "import/world_json.h"
-
 #include <gtest/gtest.h>
 
 #include <sstream>
 
 #include "geom/base/error.h"
-#include "support/built_and_skipped.h"
+#include "geom/import/import_boxes.h"
 
 namespace geom {
 namespace {
+
+ImportedBoxes read(const std::string& text) {
+  std::istringstream in(text);
+  return import_boxes(in, kRotorPyWorld, "w.json");
+}
 
 TEST(WorldJson, KeysThatMayTurnOrAddBlocksAreSkipped) {
   const auto world = [](const std::string& more, const std::string& in_block) {
     return R"({"bounds":{"extents":[0,9,0,9,0,9]},"blocks":[{"extents":[1,2,1,2,1,2])" + in_block +
            "}]" + more + "}";
   };
-  EXPECT_EQ(support::built_and_skipped(read_world_json, world("", "")).second, 0u);
-  EXPECT_EQ(
-      support::built_and_skipped(read_world_json, world(",\"start\":[1,1,1]", ",\"colour\":1"))
-          .second,
-      0u);
-  EXPECT_EQ(support::built_and_skipped(read_world_json, world(",\"spheres\":[]", "")).second, 1u);
-  EXPECT_EQ(support::built_and_skipped(read_world_json, world("", ",\"rotation\":45")).second, 1u);
-}
-
-ImportedBoxes read(const std::string& text) {
-  std::istringstream in(text);
-  return read_world_json(in, "w.json");
+  EXPECT_EQ(read(world("", "")).skipped.count(), 0u);
+  EXPECT_EQ(read(world(",\"start\":[1,1,1]", ",\"colour\":1")).skipped.count(), 0u);
+  EXPECT_EQ(read(world(",\"spheres\":[]", "")).skipped.count(), 1u);
+  EXPECT_EQ(read(world("", ",\"rotation\":45")).skipped.count(), 1u);
 }
 
 TEST(WorldJson, ReadsBoundsBlocksAndColours) {

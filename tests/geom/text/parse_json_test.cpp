@@ -8,13 +8,13 @@
 
 #include "geom/base/error.h"
 #include "geom/collision/collision.h"
+#include "geom/import/import_boxes.h"
 #include "geom/import/keep_out.h"
 #include "geom/map/frame.h"
 #include "geom/record/query_record.h"
 #include "geom/record/record.h"
 #include "geom/text/json_fields.h"
 #include "import/city_json.h"
-#include "import/world_json.h"
 
 namespace geom {
 namespace {
@@ -145,7 +145,7 @@ TEST(ParseJson, IsWhatEveryReaderUses) {
   const std::pair<const char*, std::function<void(const std::string&)>> readers[] = {
       {"fields", [](const std::string& text) { JsonFields(text, "f", 1); }},
       {"path", [](const std::string& text) { parse_path_record(text, "f", 1); }},
-      {"world", streamed([](std::istream& in) { read_world_json(in, "f"); })},
+      {"world", streamed([](std::istream& in) { import_boxes(in, kRotorPyWorld, "f"); })},
       {"city", streamed([](std::istream& in) { read_city_json(in, "f"); })},
       {"keep-out", streamed([&](std::istream& in) { read_keep_out(in, "f", frame, {}); })},
       {"queries", streamed([](std::istream& in) { read_plan_queries(in, "f"); })}};

@@ -85,7 +85,7 @@ TEST(ExportMission, HoldsTheLimitsOfTheRecord) {
   flight.limits[Limit::speed] = 0.5;
   const MissionExport made = export_mission(field(), flight, kCrazyflie);
   EXPECT_FALSE(made.written);
-  EXPECT_EQ(made.result.reason, Reason::speed);
+  EXPECT_EQ(made.result.reason, broken(Limit::speed));
   EXPECT_NE(made.refusal.find("solve it again with stricter limits"), std::string::npos)
       << made.refusal;
 }

@@ -166,9 +166,9 @@ TEST(DurationBound, OfAReportIsNoneWhereItDoesNotHold) {
   EXPECT_FALSE(larger.claimed_bound || larger.duration_bound);
   ReportRecord failed = report_of(record, kLimits);
   failed.result.ok = false;
-  failed.result.reason = Reason::speed;
+  failed.result.reason = broken(Limit::speed);
   add_bounds(record, failed);
-  EXPECT_EQ(failed.result.reason, Reason::speed);
+  EXPECT_EQ(failed.result.reason, broken(Limit::speed));
   EXPECT_FALSE(failed.claimed_bound || failed.duration_bound);
 }
 

@@ -53,7 +53,7 @@ TEST(ReportSummary, SaysNothingOfWhatIsNotFinite) {
   const geom::BoxMap map({.bounds = {{0, 0, 0}, {9, 9, 9}}}, table);
   ReportRecord record{"q1", "trajectory", {}, {}, {}};
   record.result.looked = true;
-  record.result.reason = Reason::body_rate;
+  record.result.reason = broken(Limit::body_rate);
   record.result.worst = std::numeric_limits<double>::infinity();
   record.result.duration = 4;
   record.result.largest[Limit::speed] = {7.5, 2};

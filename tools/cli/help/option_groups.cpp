@@ -1,7 +1,10 @@
 #include "option_groups.h"
 
+#include <cctype>
 #include <map>
 #include <sstream>
+
+#include "geom/vehicle/limits.h"
 
 namespace cli {
 namespace {
@@ -33,9 +36,7 @@ constexpr Group kGroups[] = {
      "--depth-unit=METRES --ids render--poses fly--tube --log-rate=HERTZ"},
     {"Vehicle and room",
      "--vehicle --margin=METRES --spare=METRES --memory=BYTES --navigation --tracking"},
-    {"Limits",
-     "--vmax=METRES/S --vmax-h=METRES/S --vmax-v=METRES/S --amax=METRES/S2 --jmax=METRES/S3 "
-     "--tilt=DEGREES --thrust=METRES/S2 --body-rate=DEGREES/S --yaw-rate=DEGREES/S --override"},
+    {"Limits", "--override"},  // and those of geom::kLimitKinds
     {"Drone and place",
      "--start --origin --geoid=METRES --ground=METRES --takeoff-height=METRES --heading=DEGREES "
      "--acceptance=METRES --braking=METRES/S2 --return-height=METRES --terrain=METRES "
@@ -70,6 +71,14 @@ constexpr Group kGroups[] = {
      "--help-all"},
 };
 
+// "METRES/S2" of the unit "m/s2".
+std::string word_of_unit(std::string_view unit) {
+  std::string word;
+  for (const char c : unit) word += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  if (unit.starts_with("m/")) word.replace(0, 1, "METRES");
+  return word;
+}
+
 std::map<std::string, OptionPlace, std::less<>> read_groups() {
   std::map<std::string, OptionPlace, std::less<>> places;
   for (const Group& group : kGroups) {
@@ -79,6 +88,9 @@ std::map<std::string, OptionPlace, std::less<>> read_groups() {
       places[word.substr(0, equals)] = {group.title,
                                         equals == std::string::npos ? "" : word.substr(equals + 1)};
     }
+  }
+  for (const geom::LimitKind& kind : geom::kLimitKinds) {
+    places[kind.option] = {"Limits", word_of_unit(kind.unit)};
   }
   return places;
 }

@@ -5,10 +5,9 @@ import os
 
 import numpy
 
-from ._skyway import _refuse
+from ._skyway import _limited_quantities, _refuse
 
-_EXTREMES = ("clearance", "speed", "acceleration", "jerk", "tilt", "horizontal_speed", "vertical_speed", "thrust",
-             "body_rate", "yaw_rate")
+_EXTREMES = ("clearance", *_limited_quantities)
 _NUMBERS = ("time", "worst", "duration", *(name for e in _EXTREMES for name in (e, e + "_time")))
 
 

@@ -9,6 +9,9 @@ const extremeRows = {
   max: ["… largest", "m", 3, null], final: ["… at the end", "m", 3, null], thrust: ["Thrust over mass", "m/s²", 2, "thrust"],
 };
 
+// A quantity without a row of its own is shown under its name.
+const rowOf = name => extremeRows[name] || [name.replaceAll("_", " "), "", 2, name];
+
 const reasons = { collision: "collides with an obstacle", bounds: "leaves the bounds", no_path: "there is no path",
   speed: "too fast", acceleration: "accelerates too much", jerk: "jerks too much", tilt: "tilts too far",
   fence: "breaks a fence", takeoff: "would begin inside the ground", return: "returns by a way that is not known",
@@ -23,8 +26,8 @@ function worstOf(check) {
 }
 
 function checkTable(check) {
-  const rows = check.extremes.filter(e => extremeRows[e.name]).map(({ name, value, time }) => {
-    const [words, unit, digits, limit] = extremeRows[name];
+  const rows = check.extremes.map(({ name, value, time }) => {
+    const [words, unit, digits, limit] = rowOf(name);
     const scale = unit === "°" ? degrees : 1;
     const bound = limit && check.limits[limit] ? withUnit(check.limits[limit] * scale, digits, unit) : "";
     return element("tr", {}, element("td", {}, words), element("td", {}, withUnit(value * scale, digits, unit)),

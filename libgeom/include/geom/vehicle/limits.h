@@ -80,13 +80,22 @@ static_assert([] {
   return true;
 }());
 
+// The order in which a flight is held to its limits, and reports and certificates name them: the
+// first one that is broken is the reason.
+inline constexpr std::array<Limit, kLimits> kOrderOfLimits{
+    Limit::speed,  Limit::acceleration,     Limit::jerk,
+    Limit::tilt,   Limit::horizontal_speed, Limit::vertical_speed,
+    Limit::thrust, Limit::body_rate,        Limit::yaw_rate};
+
 // A value for each limit.
 template <class T>
 struct PerLimit {
   std::array<T, kLimits> values{};
 
-  T& operator[](Limit limit) { return values[static_cast<std::size_t>(limit)]; }
-  const T& operator[](Limit limit) const { return values[static_cast<std::size_t>(limit)]; }
+  constexpr T& operator[](Limit limit) { return values[static_cast<std::size_t>(limit)]; }
+  constexpr const T& operator[](Limit limit) const {
+    return values[static_cast<std::size_t>(limit)];
+  }
   friend bool operator==(const PerLimit&, const PerLimit&) = default;
 };
 

@@ -17,16 +17,10 @@ namespace traj {
 using geom::kGravity;
 using geom::kind_of;
 using geom::kLimitKinds;
+using geom::kOrderOfLimits;
 using geom::Limit;
 using geom::LimitKind;
 using geom::Limits;
 using geom::PerLimit;
-
-// The order in which a trajectory is held to its limits, and reports and certificates name them:
-// the first one that is broken is the reason.
-inline constexpr std::array<Limit, geom::kLimits> kOrderOfLimits{
-    Limit::speed,  Limit::acceleration,     Limit::jerk,
-    Limit::tilt,   Limit::horizontal_speed, Limit::vertical_speed,
-    Limit::thrust, Limit::body_rate,        Limit::yaw_rate};
 
 }  // namespace traj

@@ -29,26 +29,6 @@ enum class Reason {
   bounds,
   collision,
   undecided,
-  // A limit that does not hold, in the order of Limit.
-  speed,
-  horizontal_speed,
-  vertical_speed,
-  acceleration,
-  jerk,
-  tilt,
-  thrust,
-  body_rate,
-  yaw_rate,
-  // A limit that was asked for and is not measured, in the same order.
-  speed_not_measured,
-  horizontal_speed_not_measured,
-  vertical_speed_not_measured,
-  acceleration_not_measured,
-  jerk_not_measured,
-  tilt_not_measured,
-  thrust_not_measured,
-  body_rate_not_measured,
-  yaw_rate_not_measured,
   // A mission: the way up, what it lands on, the autopilot's envelope, a return that it does not
   // say, a place other than the trajectory's end, a fence.
   takeoff,
@@ -60,9 +40,23 @@ enum class Reason {
   end,
   fence,
   // A record's own bound on its duration, or on the length of paths, that cannot be.
-  duration_bound
+  duration_bound,
+  // A limit that does not hold: broken() says which.
+  first_broken,
+  last_broken = first_broken + geom::kLimits - 1,
+  // A limit that was asked for and is not measured: unmeasured() says which.
+  first_unmeasured,
+  last_unmeasured = first_unmeasured + geom::kLimits - 1
 };
-inline constexpr geom::Words<Reason, 39> kReasonWords{{
+// That a limit does not hold, or is not measured.
+constexpr Reason broken(Limit limit) {
+  return static_cast<Reason>(static_cast<int>(Reason::first_broken) + static_cast<int>(limit));
+}
+constexpr Reason unmeasured(Limit limit) {
+  return static_cast<Reason>(static_cast<int>(Reason::first_unmeasured) + static_cast<int>(limit));
+}
+
+inline constexpr geom::Words<Reason, 21> kOtherReasonWords{{
     {Reason::none, ""},
     {Reason::no_path, "no_path"},
     {Reason::infeasible, "infeasible"},
@@ -75,24 +69,6 @@ inline constexpr geom::Words<Reason, 39> kReasonWords{{
     {Reason::bounds, "bounds"},
     {Reason::collision, "collision"},
     {Reason::undecided, "undecided"},
-    {Reason::speed, "speed"},
-    {Reason::horizontal_speed, "horizontal_speed"},
-    {Reason::vertical_speed, "vertical_speed"},
-    {Reason::acceleration, "acceleration"},
-    {Reason::jerk, "jerk"},
-    {Reason::tilt, "tilt"},
-    {Reason::thrust, "thrust"},
-    {Reason::body_rate, "body_rate"},
-    {Reason::yaw_rate, "yaw_rate"},
-    {Reason::speed_not_measured, "speed_not_measured"},
-    {Reason::horizontal_speed_not_measured, "horizontal_speed_not_measured"},
-    {Reason::vertical_speed_not_measured, "vertical_speed_not_measured"},
-    {Reason::acceleration_not_measured, "acceleration_not_measured"},
-    {Reason::jerk_not_measured, "jerk_not_measured"},
-    {Reason::tilt_not_measured, "tilt_not_measured"},
-    {Reason::thrust_not_measured, "thrust_not_measured"},
-    {Reason::body_rate_not_measured, "body_rate_not_measured"},
-    {Reason::yaw_rate_not_measured, "yaw_rate_not_measured"},
     {Reason::takeoff, "takeoff"},
     {Reason::landing, "landing"},
     {Reason::ceiling, "ceiling"},
@@ -103,25 +79,31 @@ inline constexpr geom::Words<Reason, 39> kReasonWords{{
     {Reason::fence, "fence"},
     {Reason::duration_bound, "duration_bound"},
 }};
-constexpr std::string_view name(Reason reason) { return geom::word_of(kReasonWords, reason); }
-
-// That a limit does not hold, or is not measured.
-constexpr Reason broken(Limit limit) {
-  return static_cast<Reason>(static_cast<int>(Reason::speed) + static_cast<int>(limit));
-}
-constexpr Reason unmeasured(Limit limit) {
-  return static_cast<Reason>(static_cast<int>(Reason::speed_not_measured) +
-                             static_cast<int>(limit));
-}
-static_assert([] {
+// "speed_not_measured" and so on, each of `size` characters.
+struct UnmeasuredWord {
+  std::array<char, 64> text{};
+  std::size_t size = 0;
+};
+inline constexpr PerLimit<UnmeasuredWord> kUnmeasuredWords = [] {
+  PerLimit<UnmeasuredWord> out;
   for (const LimitKind& kind : kLimitKinds) {
-    const std::string_view missing = name(unmeasured(kind.limit));
-    const std::string_view quantity = kind.quantity;
-    if (name(broken(kind.limit)) != quantity) return false;
-    if (missing.substr(0, quantity.size()) != quantity) return false;
-    if (missing.substr(quantity.size()) != "_not_measured") return false;
+    for (const std::string_view part :
+         {std::string_view(kind.quantity), std::string_view("_not_measured")}) {
+      for (const char c : part) out[kind.limit].text[out[kind.limit].size++] = c;
+    }
   }
-  return true;
-}());
+  return out;
+}();
+inline constexpr auto kReasonWords = [] {
+  geom::Words<Reason, 2 * geom::kLimits> of_limits;
+  for (std::size_t i = 0; i < geom::kLimits; ++i) {
+    const LimitKind& kind = kLimitKinds[i];
+    const UnmeasuredWord& word = kUnmeasuredWords[kind.limit];
+    of_limits[i] = {broken(kind.limit), kind.quantity};
+    of_limits[geom::kLimits + i] = {unmeasured(kind.limit), {word.text.data(), word.size}};
+  }
+  return geom::joined<Reason>(kOtherReasonWords, of_limits);
+}();
+constexpr std::string_view name(Reason reason) { return geom::word_of(kReasonWords, reason); }
 
 }  // namespace traj

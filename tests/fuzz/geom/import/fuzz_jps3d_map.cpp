@@ -1,7 +1,8 @@
 #include "fuzz/readers.h"
-#include "import/jps3d_map.h"
+#include "geom/import/import_boxes.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  return refuses_or_reads(data, size,
-                          [](std::istream& in) { geom::read_jps3d_map(in, "fuzz", {true}); });
+  return refuses_or_reads(data, size, [](std::istream& in) {
+    geom::import_boxes(in, geom::kJps3d, "fuzz", {.unknown_blocked = true});
+  });
 }

@@ -80,7 +80,8 @@ TEST(Judge, NavigationAndTrackingMakeTheVehicleLarger) {
 TEST(Judge, TheAutopilotKeepsItsRatesOfClimb) {
   FlownMission flown = path({{40, 40, 5}, {40, 40, 25}, {80, 40, 25}});
   flown.speed = 8;
-  EXPECT_EQ(judge(yard(), {flown}, {{Limit::vertical_speed, 4}}).reason, Reason::vertical_speed);
+  EXPECT_EQ(judge(yard(), {flown}, {{Limit::vertical_speed, 4}}).reason,
+            broken(Limit::vertical_speed));
   flown.climb = 3;
   flown.descent = 1.5;
   const CheckResult result = judge(yard(), {flown}, {{Limit::vertical_speed, 4}});
@@ -145,13 +146,13 @@ TEST(Judge, KnowsTheSpeedsOfLegs) {
   limits[Limit::speed] = 5;
   EXPECT_TRUE(judge(yard(), {flown}, limits).ok);
   limits[Limit::speed] = 4.9;
-  EXPECT_EQ(judge(yard(), {flown}, limits).reason, Reason::speed);
+  EXPECT_EQ(judge(yard(), {flown}, limits).reason, broken(Limit::speed));
   limits[Limit::speed].reset();
   limits[Limit::vertical_speed] = 3.9;
-  EXPECT_EQ(judge(yard(), {flown}, limits).reason, Reason::vertical_speed);
+  EXPECT_EQ(judge(yard(), {flown}, limits).reason, broken(Limit::vertical_speed));
   limits[Limit::vertical_speed] = 4;
   limits[Limit::horizontal_speed] = 2.9;
-  EXPECT_EQ(judge(yard(), {flown}, limits).reason, Reason::horizontal_speed);
+  EXPECT_EQ(judge(yard(), {flown}, limits).reason, broken(Limit::horizontal_speed));
 }
 
 TEST(Judge, KnowsHowFarATelloMayGo) {
@@ -179,11 +180,11 @@ TEST(Judge, HoldsSetpointsToTheLimits) {
   EXPECT_EQ(judge(yard(), {flown}, limits).largest[Limit::speed]->value, 5);
   limits[Limit::speed] = 4.9;
   const CheckResult result = judge(yard(), {flown}, limits);
-  EXPECT_EQ(result.reason, Reason::speed);
+  EXPECT_EQ(result.reason, broken(Limit::speed));
   EXPECT_EQ(result.time, 1);
   limits = {};
   limits[Limit::tilt] = 0.2;
-  EXPECT_EQ(judge(yard(), {flown}, limits).reason, Reason::tilt);
+  EXPECT_EQ(judge(yard(), {flown}, limits).reason, broken(Limit::tilt));
   flown.setpoints[1].state.position = {5, 5, 5};
   EXPECT_EQ(judge(yard(), {flown}, {}).reason, Reason::collision);
 }
@@ -200,26 +201,26 @@ TEST(Judge, HoldsWhatLeadsFromSetpointToSetpointToTheLimits) {
   const Vec3 none = Vec3::Zero();
   const std::vector<Setpoint> jerky = {{0, {p, none, {3, 0, 0}}, 0, 0},
                                        {0.1, {p, none, {-3, 0, 0}}, 0, 0}};
-  EXPECT_EQ(reason_of(jerky, {{Limit::jerk, 59}}), Reason::jerk);
+  EXPECT_EQ(reason_of(jerky, {{Limit::jerk, 59}}), broken(Limit::jerk));
   EXPECT_EQ(reason_of(jerky, {{Limit::jerk, 60}}), Reason::none);
   // |f x f'| / |f|^2 where f is upright: 60 / 9.80665 rad/s.
-  EXPECT_EQ(reason_of(jerky, {{Limit::body_rate, 6.1}}), Reason::body_rate);
+  EXPECT_EQ(reason_of(jerky, {{Limit::body_rate, 6.1}}), broken(Limit::body_rate));
   EXPECT_EQ(reason_of(jerky, {{Limit::body_rate, 6.12}}), Reason::none);
   const std::vector<Setpoint> quick = {{0, {p}, 0, 0}, {2, {p + Vec3(3, 0, 4)}, 0, 0}};
-  EXPECT_EQ(reason_of(quick, {{Limit::speed, 2.4}}), Reason::speed);
+  EXPECT_EQ(reason_of(quick, {{Limit::speed, 2.4}}), broken(Limit::speed));
   EXPECT_EQ(
       reason_of(quick,
                 {{Limit::speed, 2.5}, {Limit::horizontal_speed, 1.5}, {Limit::vertical_speed, 2}}),
       Reason::none);
-  EXPECT_EQ(reason_of(quick, {{Limit::horizontal_speed, 1.4}}), Reason::horizontal_speed);
-  EXPECT_EQ(reason_of(quick, {{Limit::vertical_speed, 1.9}}), Reason::vertical_speed);
+  EXPECT_EQ(reason_of(quick, {{Limit::horizontal_speed, 1.4}}), broken(Limit::horizontal_speed));
+  EXPECT_EQ(reason_of(quick, {{Limit::vertical_speed, 1.9}}), broken(Limit::vertical_speed));
   const std::vector<Setpoint> rush = {{0, {p}, 0, 0}, {1, {p, {6, 0, 0}}, 0, 0}};
-  EXPECT_EQ(reason_of(rush, {{Limit::acceleration, 5.9}}), Reason::acceleration);
-  EXPECT_EQ(reason_of(rush, {{Limit::tilt, 0.5}}), Reason::tilt);
-  EXPECT_EQ(reason_of(rush, {{Limit::thrust, 11}}), Reason::thrust);
+  EXPECT_EQ(reason_of(rush, {{Limit::acceleration, 5.9}}), broken(Limit::acceleration));
+  EXPECT_EQ(reason_of(rush, {{Limit::tilt, 0.5}}), broken(Limit::tilt));
+  EXPECT_EQ(reason_of(rush, {{Limit::thrust, 11}}), broken(Limit::thrust));
   EXPECT_EQ(reason_of(rush, {{Limit::acceleration, 6}}), Reason::none);
   const std::vector<Setpoint> turn = {{0, {p}, 3.1, 0}, {1, {p}, -3.1, 0}};
-  EXPECT_EQ(reason_of(turn, {{Limit::yaw_rate, 0.08}}), Reason::yaw_rate)
+  EXPECT_EQ(reason_of(turn, {{Limit::yaw_rate, 0.08}}), broken(Limit::yaw_rate))
       << "across half a turn: 0.083";
   EXPECT_EQ(reason_of(turn, {{Limit::yaw_rate, 0.09}}), Reason::none);
 }

@@ -56,7 +56,7 @@ TEST(ExactCheck, AsksForYawInAllSegmentsWhereItsRateIsLimited) {
   const Limits limits{{Limit::yaw_rate, 100}};
   EXPECT_TRUE(exactly(scene, t, limits).ok) << "no yaw at all";
   t.segments[1].yaw = {0, 0, 0, 0, 0, 0, 0, 0};
-  EXPECT_EQ(exactly(scene, t, limits).reason, Reason::yaw_rate_not_measured);
+  EXPECT_EQ(exactly(scene, t, limits).reason, unmeasured(Limit::yaw_rate));
   EXPECT_TRUE(exactly(scene, t).ok);
 }
 
@@ -117,7 +117,7 @@ TEST(ExactCheck, AllowsALimitToBeReached) {
   const double most = 20.0 / 8 * 35 / 16;  // at the middle, exactly
   EXPECT_TRUE(exactly(scene, line, {{Limit::speed, most}}).ok);
   const ExactResult over = exactly(scene, line, {{Limit::speed, std::nextafter(most, 0)}});
-  EXPECT_EQ(over.reason, Reason::speed);
+  EXPECT_EQ(over.reason, broken(Limit::speed));
   EXPECT_EQ(over.time, 4);
   EXPECT_FALSE(over.undecided);
 }
