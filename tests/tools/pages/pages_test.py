@@ -4,7 +4,7 @@ README.md, docs and data.
 
 A block of `sh` is run by bash, a block of `python` by Python where there is a module. A command that ends with the comment
 `# exits N` stands alone in its block and exits with N, all others with 0. A block of `text` is all that the block before it printed;
-UPDATE_GOLDEN=1 writes it. A page that names a tool which is not there is left out."""
+UPDATE_GOLDEN=1 writes it. A page whose commands need a tool of a package that is not there is left out."""
 
 import os
 import pathlib
@@ -22,6 +22,7 @@ EXITS = re.compile(r" +# exits (\d)\n\Z")
 # What a page promises beyond commands that run.
 MADE = {"tour.md": {"city.html", "city.glb", "mission.csv", "report.jsonl", "flight.csv", "flight.jsonl", "flight.mp4",
                     "profile.svg", "overview.png", "first-person.png", "depth.png", "earth.plan", "earth.kmz", "earth.html"}}
+OTHER_PACKAGES = ("skyway-cloud", "skyway-footprints", "skyway-mesh")
 LEAST_BLOCKS = {"README.md": 1, "which-tool.md": 0}  # of all others: 5
 
 
@@ -51,8 +52,10 @@ def environment(home):
     return values | ({"PYTHONPATH": MODULE} if MODULE else {})
 
 
-def tools_of(text):
-    return set(re.findall(r"\bskyway(?:-[a-z]+)+\b(?![./])", "".join(body for kind, body in BLOCK.findall(text) if kind == "sh")))
+def absent_tools(text, path):
+    """Tools of other packages that the page's commands name and that are not there."""
+    commands = "".join(body for kind, body in BLOCK.findall(text) if kind == "sh")
+    return [tool for tool in OTHER_PACKAGES if tool in commands and not shutil.which(tool, path=path)]
 
 
 def run(page, kind, body, folder, values):
@@ -71,19 +74,18 @@ def run(page, kind, body, folder, values):
 
 def replay(page, text, folder, values):
     """The page with what its commands print now."""
-    printed, count, parts, end = None, 0, [], 0
+    printed, before, count, parts, end = None, "text", 0, [], 0
     for block in BLOCK.finditer(text):
         kind, body = block.groups()
-        if kind == "text":
-            if printed is not None:
-                parts += [text[end:block.start(2)], printed]
-                end = block.end(2)
-            printed = None
-        elif kind == "sh" or MODULE:
-            printed = run(page, kind, body, folder, values)
+        if kind != "text":
             count += 1
-        else:
-            printed = None
+            printed = run(page, kind, body, folder, values) if kind == "sh" or MODULE else None
+        elif before == "text":
+            raise Wrong(f"{page}: a block of text follows no command:\n{body}")
+        elif printed is not None:
+            parts += [text[end:block.start(2)], printed]
+            end = block.end(2)
+        before = kind
     if count < LEAST_BLOCKS.get(page, 5):
         raise Wrong(f"{page}: {count} blocks, fewer than {LEAST_BLOCKS.get(page, 5)}")
     return "".join(parts) + text[end:]
@@ -91,7 +93,7 @@ def replay(page, text, folder, values):
 
 def try_page(path, values, home):
     page, text = path.name, path.read_text(encoding="utf-8")
-    absent = [tool for tool in sorted(tools_of(text)) if not shutil.which(tool, path=values["PATH"])]
+    absent = absent_tools(text, values["PATH"])
     if absent:
         print(f"{page}: left out, without {', '.join(absent)}")
         return False
