@@ -13,7 +13,7 @@ sys.dont_write_bytecode = True  # nothing is written beside the sources
 import transcript
 
 HERE = pathlib.Path(__file__).resolve().parent
-LEAST = 50
+LEAST = 100
 # How libraries speak.
 FOREIGN = re.compile(r"json\.exception|CLI::|terminate called|std::|GDAL|ERROR [0-9]|Could not convert|not in range")
 HINT = re.compile(r"^Try '.*'\.\n", re.M)
@@ -45,7 +45,7 @@ def rows(cases):
 def table(cases):
     lines = []
     for group, found in rows(cases).items():
-        lines += [f"## {group.capitalize()}", "", "| slip | command | what is said |", "|---|---|---|", *found, ""]
+        lines += [f"## {group[:1].upper()}{group[1:]}", "", "| slip | command | what is said |", "|---|---|---|", *found, ""]
     return "\n".join(lines)
 
 

@@ -84,9 +84,13 @@ for example in read query plan solve check; do
   in_root python3 "/usr/share/doc/python3-skyway/examples/$example.py" /srv/out
 done
 
-echo "== the README"
-cp "$here/tests/tools/readme/readme_test.py" "$here/README.md" "$root/srv"
-in_root python3 /srv/readme_test.py /usr/bin /srv/README.md /usr/lib/python3/dist-packages
+echo "== the README and docs/guide, as installed"
+mkdir -p "$root/srv/pages"
+cp "$here/tests/tools/pages/pages_test.py" "$root/srv"
+cp "$here/README.md" "$root/srv/pages"
+ln -s /usr/share/doc/skyway "$root/srv/pages/docs"
+ln -s /usr/share/skyway/data "$root/srv/pages/data"
+in_root python3 /srv/pages_test.py /usr/bin /srv/pages /usr/lib/python3/dist-packages
 
 echo "== libskyway-dev"
 install g++ cmake "$(deb libskyway-dev)"
