@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <set>
 
 #include "geom/base/error.h"
 #include "geom/base/vec3.h"
+#include "geom/text/excerpt.h"
 #include "geom/text/text_table.h"
 
 namespace geom {
@@ -35,7 +37,7 @@ class Table {
                                                  : "id,x,y,z or x,y,z",
                      .found = fmt::format("{} columns", fields.size())});
     }
-    if (is_header(fields)) return;
+    if (is_header(fields)) return require_id_column(fields);
     const std::string id = columns_ == 4 ? fields[0] : "path";
     if (paths_.empty() || paths_.back().id != id) begin(id);
     const auto at = [&](std::size_t i, const char* name) {
@@ -47,6 +49,13 @@ class Table {
   std::vector<PathRecord> paths() && { return std::move(paths_); }
 
  private:
+  void require_id_column(const std::vector<std::string>& header) const {
+    if (columns_ == 3 || without_unit(header.front()) == "id") return;
+    lines_.refuse({.expected = "the columns id,x,y,z or x,y,z",
+                   .found = fmt::format("the first of four named \"{}\"", excerpt(header.front())),
+                   .advice = "name it id if it says which path a point is of, or leave it out"});
+  }
+
   void begin(const std::string& id) {
     if (!seen_.insert(id).second) {
       lines_.refuse(
@@ -63,6 +72,16 @@ class Table {
   std::vector<PathRecord> paths_;
 };
 
+// A first column that counts rows, or is a time, would make a path of each point.
+void refuse_single_points(const std::vector<PathRecord>& paths, std::string_view source) {
+  const auto is_point = [](const PathRecord& path) { return path.points.size() == 1; };
+  if (paths.size() < 2 || !std::all_of(paths.begin(), paths.end(), is_point)) return;
+  throw InputError(source,
+                   {.expected = "the points of a path in rows with the same id",
+                    .found = fmt::format("{} rows with as many ids", paths.size()),
+                    .advice = "leave the first column out if it is a number of the row or a time"});
+}
+
 }  // namespace
 
 std::vector<PathRecord> read_path_csv(std::istream& in, std::string_view source) {
@@ -77,6 +96,7 @@ std::vector<PathRecord> read_path_csv(std::istream& in, std::string_view source)
   }
   std::vector<PathRecord> paths = std::move(table).paths();
   if (paths.empty()) throw InputError(source, {.expected = "points id,x,y,z", .found = "none"});
+  refuse_single_points(paths, source);
   return paths;
 }
 

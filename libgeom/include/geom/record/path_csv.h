@@ -19,7 +19,8 @@ namespace geom {
 // "path". A header naming them is optional, and its names may end in _m. Rows of an id stand
 // together. The records are found paths without provenance. Throws InputError(source, line, …) for
 // other columns, a coordinate that is no finite number within 1e8 m, an id that comes again later,
-// an empty table, and a last line without its end, which may have lost digits.
+// an empty table, several paths that all have one point (the first column may count rows, or be a
+// time), and a last line without its end, which may have lost digits.
 std::vector<PathRecord> read_path_csv(std::istream& in, std::string_view source);
 
 }  // namespace geom
