@@ -78,7 +78,8 @@ ImportedBoxes read_block_text(std::istream& in, std::string_view source, const I
   if (out.table.boxes.empty()) {
     lines.refuse(
         {.expected = "at least one block",
-         .found = "a boundary alone",
+         .found =
+             out.skipped.count() == 0 ? "a boundary alone" : "a boundary and " + out.skipped.text(),
          .advice = "a map needs an obstacle; a block that is the floor, as flat as 0, will do"});
   }
   out.bounds = boundary;

@@ -6,6 +6,7 @@
 #include "geom/base/error.h"
 #include "geom/import/import_boxes.h"
 #include "support/cases.h"
+#include "support/refusal.h"
 
 namespace geom {
 namespace {
@@ -29,6 +30,13 @@ TEST(BlockText, WantsOneBoundaryAndUprightBlocks) {
                           "boundary 0 0 0 1 1 1\nblock 1 0 0 1 1\n"}) {
     EXPECT_THROW(read(bad), InputError) << bad;
   }
+}
+
+TEST(BlockText, NamesTheWordsThatStandInPlaceOfBlocks) {
+  const std::string said =
+      support::refusal_of([] { read("boundary 0 0 0 9 9 9\nwall 1 1 1 2 2 2\n"); });
+  EXPECT_NE(said.find("found a boundary and 1 x unknown keyword (line 2: wall)"), std::string::npos)
+      << said;
 }
 
 TEST(BlockText, TakesCornersInEitherOrder) {
