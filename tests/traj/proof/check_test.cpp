@@ -139,6 +139,29 @@ TEST(Check, SeesGapsJumpsBoundsAndDurations) {
   EXPECT_EQ(check(scene, Trajectory{}, Limits{}).reason, Reason::duration);
 }
 
+TEST(Check, SeesAStepOfVelocityAccelerationYawOrYawRateAlone) {
+  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
+  const State through{{0, 20, 0}, {3, 0, 0}, {0, 0, 1}, Vec3::Zero()};
+  const auto reason_of = [&](const State& after, double yaw = 1, double yaw_rate = 0) {
+    Trajectory t{{hermite(rest({-12, 23, 2}), through, 4), hermite(after, rest({13, 18, 5}), 4)}};
+    t.segments[0].yaw.emplace().fill(1);
+    auto& angles = t.segments[1].yaw.emplace();
+    for (int i = 0; i <= kDegree; ++i) {
+      angles[static_cast<std::size_t>(i)] = yaw + yaw_rate * 4 * i / kDegree;
+    }
+    return check(scene, t, Limits{}).reason;
+  };
+  EXPECT_EQ(reason_of(through), Reason::none);
+  State faster = through;
+  faster.velocity.x() += 1e-5;
+  EXPECT_EQ(reason_of(faster), Reason::discontinuous);
+  State harder = through;
+  harder.acceleration.x() += 1e-3;
+  EXPECT_EQ(reason_of(harder), Reason::discontinuous);
+  EXPECT_EQ(reason_of(through, 1 + 1e-6), Reason::discontinuous);
+  EXPECT_EQ(reason_of(through, 1, 1e-4), Reason::discontinuous);
+}
+
 TEST(Check, HoldsEachLimitApart) {
   const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
   const Trajectory t = arc({0, 20, 0}, {6, 0, 0});
