@@ -104,6 +104,7 @@ traj::ReportRecord Checker::trajectory(const geom::JsonFields& fields, const std
   if (record.status != traj::TrajectoryStatus::solved) {
     together_.add(record, nullptr, source, line);
     report.result.reason = traj::reason_of(record.status);
+    report.detail = record.message;
     return report;
   }
   const auto& scene = scenes_.scene_for(record.provenance, source, line);
@@ -144,6 +145,7 @@ traj::ReportRecord Checker::path(const geom::JsonFields& fields, const std::stri
   report.time = record.time;
   if (record.status != geom::PathStatus::found) {
     report.result.reason = traj::Reason::no_path;
+    report.detail = record.message;
     return report;
   }
   const auto& scene = scenes_.scene_for(record.provenance, source, line);

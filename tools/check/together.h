@@ -39,6 +39,10 @@ class Together {
   [[noreturn]] void refuse_path(const std::string& id, const std::string& source,
                                 std::size_t line) const;
 
+  // Leaves out flights that were refused alone, and records without a trajectory, which are among
+  // `ids`.
+  void drop(std::vector<std::string> ids);
+
   // `exact`: near pairs once more in exact numbers.
   traj::TogetherResult check(bool exact, const geom::Execution& run);
   const traj::TogetherTask& task() const { return task_; }

@@ -10,10 +10,15 @@
 namespace exporting {
 namespace {
 
+std::string missing(std::string_view what, std::string_view status, const std::string& why) {
+  return fmt::format("the record holds no {} (status {}){}", what, status,
+                     why.empty() ? "" : ": " + why);
+}
+
 Flight flight_of(const traj::TrajectoryRecord& record) {
   Flight flight{traj::export_flight(record), "", record.provenance};
   if (record.status != traj::TrajectoryStatus::solved) {
-    flight.missing = fmt::format("the record holds no trajectory (status {})", name(record.status));
+    flight.missing = missing("trajectory", name(record.status), record.message);
   }
   return flight;
 }
@@ -21,7 +26,7 @@ Flight flight_of(const traj::TrajectoryRecord& record) {
 Flight flight_of(const geom::PathRecord& record) {
   Flight flight{traj::export_flight(record), "", record.provenance};
   if (record.status != geom::PathStatus::found) {
-    flight.missing = fmt::format("the record holds no path (status {})", name(record.status));
+    flight.missing = missing("path", name(record.status), record.message);
   }
   return flight;
 }

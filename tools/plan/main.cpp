@@ -132,7 +132,13 @@ Planned plan_each(plan::Planner& planner, const geom::CollisionScene& scene,
       const bool found = record.status == geom::PathStatus::found;
       planned.found += found;
       planned.open += static_cast<std::size_t>(open[i]);
-      found ? planned.batch.add_good() : planned.batch.add_failed(name(record.status));
+      if (found) {
+        planned.batch.add_good();
+      } else if (queries.size() == 1) {
+        planned.batch.add_failed(name(record.status));  // main() says why
+      } else {
+        planned.batch.add_failed(name(record.status), record.id + ": " + record.message);
+      }
       out.add(record, why[i]);
     }
     out.flush();

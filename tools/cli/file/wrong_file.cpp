@@ -33,6 +33,7 @@ struct Place {
   std::string_view option;  // as the parser names it
   std::vector<const Format*> takes;
   std::vector<std::string_view> unless = {};  // options that make it take other files, too
+  bool drone_files = false;                   // whether it takes these and flight logs, too
 };
 
 const std::array kPlaces = {
@@ -47,7 +48,8 @@ const std::array kPlaces = {
     Place{"", "--moving", {&kMoving}},
     Place{"skyway-traj", "paths", {&kPaths}},
     Place{"skyway-replan", "--paths", {&kPaths}},
-    Place{"skyway-check", "file", {&kTrajectories, &kPaths}, {"--file-format", "--paths-csv"}},
+    Place{
+        "skyway-check", "file", {&kTrajectories, &kPaths}, {"--file-format", "--paths-csv"}, true},
     Place{"skyway-fleet", "file", {&kTrajectories}},
     Place{"skyway-fleet", "--alternatives", {&kTrajectories}},
     Place{"skyway-fleet", "--others", {&kTrajectories}},
@@ -75,7 +77,7 @@ struct Step {
 
 constexpr std::array kSteps = {
     Step{nullptr, &kShard, "skyway-join puts the shards of a run together"},
-    Step{nullptr, &kFlightLog, "skyway-check --file-format flight-log holds it against a map"},
+    Step{nullptr, &kFlightLog, "skyway-check holds it against a map"},
     Step{nullptr, &kPx4Log, "skyway-import-flight makes a flight log of it"},
     Step{&kPaths, &kQueries, "skyway-plan makes paths of them"},
     Step{&kPaths, &kTrajectories,
@@ -157,6 +159,7 @@ const Place* place_of_stdin(const CLI::App& app) {
 }
 
 bool takes(const Place& place, const Format& format) {
+  if (place.drone_files && (is_drone_format(&format) || &format == &kFlightLog)) return true;
   return std::find(place.takes.begin(), place.takes.end(), &format) != place.takes.end();
 }
 
@@ -213,9 +216,6 @@ std::string map_of(const Format& format) {
 std::string made_of(const Place& place, const Format& format) {
   const Format* const wanted = place.takes.front();
   if (wanted == &kBoxMap && &format != &kShard) return map_of(format);
-  if (is_drone_format(&format) && !place.unless.empty()) {
-    return fmt::format("{} auto reads it", place.unless.front());
-  }
   if (is_drone_format(&format) && (wanted == &kPaths || wanted == &kTrajectories)) {
     return "skyway-import-trajectory makes records of it";
   }
@@ -243,6 +243,7 @@ std::string refusal_here(const CLI::App& app, const Place& place, const Found& f
   const Format& format = found.format;
   std::vector<std::string_view> taken;
   for (const Format* one : place.takes) taken.push_back(one->what);
+  if (place.drone_files) taken.emplace_back("a drone file");
   std::string advice = swapped(app, place, found.path, format);
   if (advice.empty()) advice = made_of(place, format);
   if (advice.empty() && !format.readers.empty()) {

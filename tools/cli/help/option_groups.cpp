@@ -26,7 +26,7 @@ constexpr Group kGroups[] = {
      "cloud--noise --unknown --allow-skipped --collisions-only import-trajectory--gap=METRES "
      "--resolution=METRES --scale=FACTOR --all --verify --join"},
     {"Output",
-     "-o --output --report --json --degrees --profile --profile-step=LENGTH --junit --certificate "
+     "-o --output check--report=WORD --report --json --degrees --profile --profile-step=LENGTH --junit --certificate "
      "--tree --corridor-file --python --table --show --unchecked --no-clearance --resample=METRES "
      "export--rate=HERTZ export--axes --wpml-version --aircraft --hover --turns=METRES "
      "--volumes --buffer=METRES --speed=METRES/S export--tolerance=METRES --title=WORDS --depth "
@@ -35,7 +35,8 @@ constexpr Group kGroups[] = {
      "--vehicle --margin=METRES --spare=METRES --memory=BYTES --navigation --tracking"},
     {"Limits",
      "--vmax=METRES/S --vmax-h=METRES/S --vmax-v=METRES/S --amax=METRES/S2 --jmax=METRES/S3 "
-     "--tilt=DEGREES --thrust=METRES/S2 --body-rate=DEGREES/S --yaw-rate=DEGREES/S --override"},
+     "--tilt=DEGREES --thrust=METRES/S2 --body-rate=DEGREES/S --yaw-rate=DEGREES/S --override "
+     "--require-clearance=METRES --sampled --drop-refused"},
     {"Drone and place",
      "--start --origin --geoid=METRES --ground=METRES --takeoff-height=METRES --heading=DEGREES "
      "--acceptance=METRES --braking=METRES/S2 --return-height=METRES --terrain=METRES "
