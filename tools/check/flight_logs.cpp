@@ -32,7 +32,7 @@ void FlightLogs::add_to(CLI::App& app) {
 
 void FlightLogs::refuse_idle(const CLI::App& app, bool asked) const {
   cli::only_for(app, asked, {"--plan", "--tube", "--require-clearance", "--sampled"},
-                "flight logs (--file-format flight-log)");
+                "flight logs");
   if (!asked) return;
   cli::only_for(app, false,
                 {"--exact", "--certificate", "--profile", "--override", "--no-clearance", "--spare",

@@ -236,6 +236,19 @@ std::string touch_in_words(const SampledReport& report, const geom::BoxMap& map)
   return fmt::format("{} at {}", fault_in_words(touch, map, held_of(report.provenance)), where);
 }
 
+// Where a simulated flight, or the tube of its runs, is not clear.
+std::string flown_in_words(const FlightPathCheck& check, const FlightReport& report,
+                           const geom::BoxMap& map) {
+  CheckResult fault;
+  fault.reason = check.reason;
+  fault.place = check.place;
+  fault.box = check.box;
+  const geom::Vec3& p = check.place;
+  return fmt::format("{} at {:.6g} s, near [{:.3f}, {:.3f}, {:.3f}]",
+                     fault_in_words(fault, map, held_of(report.provenance)), check.time, p.x(),
+                     p.y(), p.z());
+}
+
 }  // namespace
 
 std::string fault_in_words(const CheckResult& result, const geom::BoxMap& map, const HeldTo& held) {
@@ -261,7 +274,8 @@ std::string fault_in_words(const CheckResult& result, const geom::BoxMap& map, c
           "{:.3g}",
           worst);
     case Reason::bounds:
-      return fmt::format("the vehicle leaves the map's bounds by {:.3g} m ({})", worst,
+      return fmt::format("the vehicle leaves the map's bounds{} ({})",
+                         worst > 0 ? fmt::format(" by {:.3g} m", worst) : "",
                          side(map, result.place, held.half));
     case Reason::collision:
       return worst > 0 ? fmt::format("the vehicle reaches {:.3g} m into {}", worst,
@@ -357,6 +371,25 @@ std::string in_words(const SampledReport& report, const geom::BoxMap& map) {
   return sampled +
          "; that proves nothing: accept it with --sampled, or say what is enough with "
          "--require-clearance";
+}
+
+std::string in_words(const FlightReport& report, const geom::BoxMap* map) {
+  const std::string_view slower = "fly slower, or find other gains (--tune)";
+  if (report.status != TrajectoryStatus::solved) return "there is no trajectory to fly";
+  if (report.lost) {
+    return fmt::format("the vehicle loses its way at {:.4g} s; {}", *report.lost, slower);
+  }
+  if (report.check && !report.check->clear && map) {
+    return fmt::format("{}; {}", flown_in_words(*report.check, report, *map), slower);
+  }
+  if (report.tube.lost > 0) {
+    return fmt::format("{} of the runs lose their way; {}", report.tube.lost, slower);
+  }
+  if (report.tube_check && !report.tube_check->clear && map) {
+    return fmt::format("within the tube of its runs, {}; {}",
+                       flown_in_words(*report.tube_check, report, *map), slower);
+  }
+  return fmt::format("flown in {:.4g} s", report.duration);
 }
 
 std::string in_words(const TrajectoryRecord& record) {

@@ -15,6 +15,7 @@
 #include <string_view>
 
 #include "geom/map/box_map.h"
+#include "traj/record/flight_report.h"
 #include "traj/record/report_record.h"
 #include "traj/record/sampled_report.h"
 #include "traj/record/trajectory_record.h"
@@ -39,6 +40,9 @@ std::string advice_for(const ReportRecord& report);
 // The whole verdict without the record's id. Of an accepted one: how long it is clear, and by how
 // much. Of a refused one: fault, item of a mission, time, place, and what to do.
 std::string in_words(const ReportRecord& report, const geom::BoxMap& map);
+
+// Of a simulated flight, over `map` where there is one.
+std::string in_words(const FlightReport& report, const geom::BoxMap* map);
 
 // Why a record holds no trajectory, and what to do.
 std::string in_words(const TrajectoryRecord& record);
