@@ -2,14 +2,13 @@
 
 // Flight logs held against a map, and against the plan they were to follow.
 
-#include <optional>
 #include <string>
 
-#include "cli/batch.h"
-#include "cli/content/contents.h"
+#include "cli/option/degrees.h"
 #include "cli/option/scenes.h"
 #include "cli/shard/record_output.h"
-#include "traj/record/sampled_report.h"
+#include "report_output.h"
+#include "traj/record/flight_log_check.h"
 
 namespace checking {
 
@@ -21,28 +20,17 @@ class FlightLogs {
   const std::string& plan() const { return plan_; }
   const std::string& tube() const { return tube_; }
 
-  // A report a flight. Never Exit::yes.
+  // A report a flight.
   cli::Exit check(const cli::Common& common, const std::string& input, cli::Scenes& scenes,
                   const cli::MetresOption& metres, const cli::Sharding& sharding,
-                  const std::string& output);
+                  const ReportOutput& report);
 
  private:
-  struct Plan {
-    traj::TrajectoryRecord record;
-    std::optional<traj::TubeRecord> tube;
-  };
-
-  void read_plan(const geom::BoxMap& map, const cli::MetresOption& metres);
-  static void require_whole(const traj::TubeRecord& tube, const Plan& plan,
-                            const geom::JsonFields& fields);
-  void read_tubes();
-  const Plan* plan_of(const std::string& id) const;
-  traj::SampledReport report_of(const traj::FlightLog& log, cli::Scenes& scenes,
-                                const std::string& source) const;
+  traj::FlightLogCheck read_plans(const geom::BoxMap& map, const cli::MetresOption& metres) const;
 
   std::string plan_;
   std::string tube_;
-  std::vector<Plan> plans_;
+  traj::SampledRule rule_;
 };
 
 }  // namespace checking

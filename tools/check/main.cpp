@@ -14,16 +14,19 @@
 #include "cli/tell.h"
 #include "flight_logs.h"
 #include "geom/record/agreed_room.h"
+#include "report_output.h"
 #include "together.h"
 #include "traj/record/certificate_record.h"
 #include "traj/record/junit_suite.h"
+#include "traj/record/verdict.h"
+#include "traj/record/verdict_table.h"
 
 namespace {
 
 struct Options {
   std::string map;
   std::string input = "-";
-  std::string output = "-";
+  checking::ReportOutput report;
   std::string certificate;
   checking::ProfileFile profile;
   std::string junit;
@@ -32,6 +35,7 @@ struct Options {
   bool override_record = false;
   bool exact = false;
   bool no_clearance = false;
+  bool drop_refused = false;
   cli::DroneFileOptions drone_file;
   checking::Together together;
   checking::FlightLogs flights;
@@ -53,7 +57,7 @@ struct Options {
 void Options::add_to(CLI::App& app) {
   app.add_option("map", map, "box map; - for stdin")->required();
   app.add_option("file", input, "trajectories or paths, JSON Lines (default: stdin)");
-  cli::add_output(app, "-o,--output", output, "reports (default: stdout)");
+  report.add_to(app);
   vehicle.add_to(app);
   vehicle.add_memory_to(app);
   vehicle.add_spare_to(app);
@@ -63,6 +67,8 @@ void Options::add_to(CLI::App& app) {
   app.add_flag("--exact", exact, "check once more in exact numbers; both must accept");
   app.add_flag("--no-clearance", no_clearance,
                "leave the clearance out of the reports: it costs more than the verdict");
+  app.add_flag("--drop-refused", drop_refused,
+               "leave records out that are refused, and answer for the others");
   profile.add_to(app);
   cli::add_output(app, "--junit", junit, "write the verdicts as a JUnit test suite, XML");
   cli::add_output(
@@ -79,9 +85,9 @@ void Options::refuse_idle(const CLI::App& app) const {
   together.refuse_idle(app, !drone_file.format.empty());
   cli::only_for(app, !profile.file().empty(), {"--profile-step"}, "--profile");
   if (drone_file.format.empty()) {
-    drone_file.require_used("records", "without --file-format, FILE is read as records");
+    drone_file.require_used(cli::kRecordsWord, "FILE is read as records");
   }
-  if (flight_log()) drone_file.require_used(cli::kFlightLogWord, "--file-format is flight-log");
+  if (flight_log()) drone_file.require_used(cli::kFlightLogWord, "FILE is read as a flight log");
 }
 
 // Writes what each record came to, and counts.
@@ -92,34 +98,44 @@ class Reports {
       : map_(map),
         profile_(options.profile),
         parks_(options.together.parks()),
-        out_(options.output, "output", sharding) {
+        drops_(options.drop_refused),
+        output_(options.report),
+        out_(output_.file(), "output", sharding) {
     if (!options.certificate.empty())
       certificates_.emplace(options.certificate, "certificate", sharding);
     profile_.open(sharding);
     if (!options.junit.empty()) junit_.emplace(options.junit, cli::OutputKind::text);
+    if (output_.is_text()) table_.emplace();
   }
 
-  void add(const traj::ReportRecord& report) {
+  void add(traj::ReportRecord report) {
     const bool ok = traj::accepted(report);
+    report.dropped = !ok && drops_;
+    if (report.dropped) dropped_.push_back(report.id);
     failed_ += !ok;
     ++count_;
     ok ? batch_.add_good()
-       : batch_.add_failed(report.result.ok ? "exact" : name(report.result.reason));
+       : batch_.add_failed(verdict_word(report), report.id + ": " + in_words(report, map_));
     if (certificates_) certificates_->add(ok ? certificate(report) : std::string());
     profile_.finish_record();
     suite_.add(report, map_);
+    if (table_) return table_->add(report, map_);
     out_.add(traj::to_json_line(report, map_));
     out_.flush();
   }
 
   // Of all flights against one another.
   void add(const checking::Together& together, const traj::TogetherResult& result) {
-    failed_ += !result.ok() || together.left_out() > 0;
+    refused_ += !result.ok() || together.left_out() > 0;
     suite_.add(result, together.task(), together.left_out());
-    for (const traj::RefusedPair& pair : result.refused) {
-      out_.add(traj::to_json_line(pair, together.task()));
+    if (table_) {
+      table_->add(result, together.task(), together.left_out());
+    } else {
+      for (const traj::RefusedPair& pair : result.refused) {
+        out_.add(traj::to_json_line(pair, together.task()));
+      }
+      out_.add(traj::to_json_line(result, together.task(), together.left_out()));
     }
-    out_.add(traj::to_json_line(result, together.task(), together.left_out()));
     if (!certificates_) return;
     for (const traj::ProvedPair& pair : result.proved) {
       certificates_->add(traj::certificate_line(pair, together.task()));
@@ -131,12 +147,16 @@ class Reports {
 
   // Of all flights against obstacles that move.
   void add(const traj::MovingObstacles::Found& found) {
-    failed_ += !found.summary.ok();
+    refused_ += !found.summary.ok();
     suite_.add(found.conflicts, found.summary);
-    for (const traj::MovingConflict& one : found.conflicts) {
-      out_.add(traj::to_json_line(one, found.summary.epoch));
+    if (table_) {
+      table_->add(found.conflicts, found.summary);
+    } else {
+      for (const traj::MovingConflict& one : found.conflicts) {
+        out_.add(traj::to_json_line(one, found.summary.epoch));
+      }
+      out_.add(traj::to_json_line(found.summary));
     }
-    out_.add(traj::to_json_line(found.summary));
     if (!certificates_) return;
     for (const traj::ProvedMoving& one : found.proved) {
       certificates_->add(traj::certificate_line(one));
@@ -146,7 +166,9 @@ class Reports {
 
   // `total`: how many records all shards have.
   cli::Exit commit(std::size_t total) {
-    const cli::Exit exit = failed_ ? cli::Exit::no : cli::Exit::yes;
+    const bool ok = drops_ ? refused_ == 0 && count_ > failed_ : refused_ + failed_ == 0;
+    const cli::Exit exit = ok ? cli::Exit::yes : cli::Exit::no;
+    if (table_) out_.add(table_->text(output_.colour()));
     out_.commit(total, exit);
     if (certificates_) certificates_->commit(total, exit);
     profile_.commit(total, exit);
@@ -157,6 +179,10 @@ class Reports {
     return exit;
   }
 
+  // Ids of refused records that are left out.
+  const std::vector<std::string>& dropped() const { return dropped_; }
+  // Whether stderr says what failed.
+  bool tells() const { return output_.tells(); }
   std::size_t count() const { return count_; }
   std::size_t failed() const { return failed_; }
   const cli::Batch& batch() const { return batch_; }
@@ -178,25 +204,34 @@ class Reports {
   checking::ProfileFile& profile_;
   std::optional<cli::OutputFile> junit_;
   traj::JUnitSuite suite_;
+  std::optional<traj::VerdictTable> table_;
   bool parks_;
+  bool drops_;
+  const checking::ReportOutput& output_;
   cli::RecordOutput out_;
   std::optional<cli::RecordOutput> certificates_;
   std::size_t count_ = 0;
-  std::size_t failed_ = 0;
+  std::size_t failed_ = 0;   // records
+  std::size_t refused_ = 0;  // of the checks of all flights
+  std::vector<std::string> dropped_;
   cli::Batch batch_;
 };
 
-void check_together(const cli::Common& common, checking::Together& together, bool exact,
-                    Reports& reports) {
+nlohmann::ordered_json check_together(const cli::Common& common, checking::Together& together,
+                                      bool exact, Reports& reports) {
   const traj::TogetherResult result = together.check(exact, common.execution("pairs"));
   reports.add(together, result);
-  if (result.ok()) return;
+  const nlohmann::ordered_json verdict = {{"checked", result.pairs},
+                                          {"refused", result.refused.size()},
+                                          {"left_out", together.left_out()}};
+  if (result.ok() || !reports.tells()) return verdict;
   const auto nearest = std::min_element(
       result.refused.begin(), result.refused.end(),
       [](const auto& a, const auto& b) { return a.result.share < b.result.share; });
   cli::tell(common, "skyway-check",
             fmt::format("{} of {} pairs come too near; the nearest: {}", result.refused.size(),
                         result.pairs, traj::in_words(*nearest, together.task())));
+  return verdict;
 }
 
 traj::MovingObstacles read_moving(const cli::Moving& option, const geom::BoxMap& map,
@@ -207,15 +242,40 @@ traj::MovingObstacles read_moving(const cli::Moving& option, const geom::BoxMap&
   return moving;
 }
 
-void check_moving(const cli::Common& common, const traj::MovingObstacles& moving,
-                  const checking::Together& together, bool exact, Reports& reports) {
+nlohmann::ordered_json check_moving(const cli::Common& common, const traj::MovingObstacles& moving,
+                                    const checking::Together& together, bool exact,
+                                    Reports& reports) {
   const auto found = moving.check(together.flights(), together.task(), together.left_out(), exact,
                                   common.execution("flights"));
   reports.add(found);
-  if (found.conflicts.empty()) return;
+  const nlohmann::ordered_json verdict = {
+      {"checked", found.summary.flights * found.summary.obstacles},
+      {"refused", found.summary.refused},
+      {"left_out", found.summary.left_out}};
+  if (found.conflicts.empty() || !reports.tells()) return verdict;
   cli::tell(common, "skyway-check",
             fmt::format("{} meetings with obstacles that move; the first: {}",
                         found.conflicts.size(), traj::in_words(found.conflicts.front())));
+  return verdict;
+}
+
+// Where flights alone and flights together came out apart: "records: 4 of 1000 failed and are left
+// out; pairs: 0 of 495510 refused".
+void tell_verdicts(const cli::Common& common, const nlohmann::ordered_json& verdicts) {
+  const bool together = verdicts.contains("pairs") || verdicts.contains("moving");
+  if (verdicts["failed"] == 0 || verdicts["records"] == 1 ||
+      (!together && verdicts["dropped"] == 0))
+    return;
+  std::string said = fmt::format(
+      "records: {} of {} failed{}", verdicts["failed"].get<std::size_t>(),
+      verdicts["records"].get<std::size_t>(), verdicts["dropped"] == 0 ? "" : " and are left out");
+  for (const auto& [key, what] :
+       {std::pair("pairs", "pairs"), std::pair("moving", "pairs with obstacles that move")}) {
+    if (!verdicts.contains(key)) continue;
+    said += fmt::format("; {}: {} of {} refused", what, verdicts[key]["refused"].get<std::size_t>(),
+                        verdicts[key]["checked"].get<std::size_t>());
+  }
+  cli::tell(common, "skyway-check", said);
 }
 
 // What does not go together.
@@ -235,6 +295,16 @@ void refuse_together(const Options& options, bool shard) {
         "--junit says how all records came out, and a shard holds some: leave "
         "--shard or --junit out");
   }
+  if (shard && options.drop_refused) {
+    throw cli::UsageError(
+        "--drop-refused says of all records how the others came out, and a shard holds some: leave "
+        "--shard or --drop-refused out");
+  }
+  if (shard && options.report.asks_for_text()) {
+    throw cli::UsageError(
+        "--report text tells of all records, and a shard holds some: leave --shard or --report "
+        "text out");
+  }
 }
 
 }  // namespace
@@ -248,18 +318,20 @@ int main(int argc, char** argv) {
   cli::Sharding sharding;
   sharding.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
-    options.refuse_idle(app);
-    refuse_together(options, sharding.asked());
     cli::at_most_one_stdin({options.map, options.input, options.drone_file.autopilot.params,
                             options.flights.plan(), options.flights.tube(),
                             options.together.moving().file()});
+    refuse_together(options, sharding.asked());
+    cli::InputFile file(options.input);
+    options.drone_file.settle(file);
+    options.refuse_idle(app);
     sharding.begin(app,
                    {{"map", options.map},
                     {"file", options.input},
                     {"params", options.drone_file.autopilot.params},
                     {"plan", options.flights.plan()},
                     {"tube", options.flights.tube()}},
-                   {{"output", options.output},
+                   {{"output", options.report.file()},
                     {"certificate", options.certificate},
                     {"profile", options.profile.file()}});
     const geom::BoxMap map = cli::open_map(options.map, geom::Verified::contents);
@@ -270,7 +342,7 @@ int main(int argc, char** argv) {
         options.override_record ? Differences::allowed : Differences::stricter_allowed);
     if (options.flight_log()) {
       return options.flights.check(common, options.input, scenes, options.metres, sharding,
-                                   options.output);
+                                   options.report);
     }
     std::optional<traj::MovingObstacles> moving;
     if (options.together.moving().asked()) {
@@ -281,19 +353,28 @@ int main(int argc, char** argv) {
     }
     const checking::Checker checker(common, scenes, options.profile, options.together,
                                     options.rules());
-    cli::InputFile file(options.input);
     Reports reports(options, sharding, scenes.map());
     const std::size_t total =
         checker.each(file, options.drone_file, sharding.shard(),
                      [&](const traj::ReportRecord& report) { reports.add(report); });
-    if (options.together.asked())
-      check_together(common, options.together, options.rules().exact, reports);
-    if (moving) check_moving(common, *moving, options.together, options.rules().exact, reports);
+    if (options.drop_refused) options.together.drop(reports.dropped());
+    nlohmann::ordered_json verdicts = {{"records", reports.count()},
+                                       {"failed", reports.failed()},
+                                       {"dropped", reports.dropped().size()}};
+    if (options.together.asked()) {
+      verdicts["pairs"] = check_together(common, options.together, options.rules().exact, reports);
+    }
+    if (moving) {
+      verdicts["moving"] =
+          check_moving(common, *moving, options.together, options.rules().exact, reports);
+    }
     const cli::Exit exit = reports.commit(total);
-    reports.batch().tell(common, "skyway-check", "records failed");
-    common.write_stats({{"records", reports.count()},
-                        {"failed", reports.failed()},
-                        {"collision", scenes.stats()}});
+    if (reports.tells()) {
+      reports.batch().tell(common, "skyway-check", "records failed");
+      tell_verdicts(common, verdicts);
+    }
+    verdicts["collision"] = scenes.stats();
+    common.write_stats(verdicts);
     return exit;
   });
 }

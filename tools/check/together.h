@@ -31,6 +31,10 @@ class Together {
   [[noreturn]] void refuse_path(const std::string& id, const std::string& source,
                                 std::size_t line) const;
 
+  // Leaves out flights that were refused alone, and records without a trajectory, which are among
+  // `ids`.
+  void drop(std::vector<std::string> ids) { set_->drop(std::move(ids)); }
+
   // Once a record was added.
   traj::TogetherResult check(bool exact, const geom::Execution& run) {
     return set_->check(exact, run);

@@ -9,11 +9,17 @@
 #include "tell.h"
 
 namespace cli {
+namespace {
 
-void Batch::add_failed(std::string_view why) {
+constexpr std::size_t kSaid = 3;  // sentences: of more, the counts say enough
+
+}  // namespace
+
+void Batch::add_failed(std::string_view why, std::string sentence) {
   ++total_;
   ++failed_;
   ++reasons_.try_emplace(std::string(why), 0).first->second;
+  if (!sentence.empty() && sentences_.size() < kSaid) sentences_.push_back(std::move(sentence));
 }
 
 std::string Batch::text(std::string_view what) const {
@@ -29,6 +35,7 @@ std::string Batch::text(std::string_view what) const {
 }
 
 void Batch::tell(const Common& common, std::string_view tool, std::string_view what) const {
+  for (const std::string& sentence : sentences_) tell_no(common, tool, sentence);
   const std::string said = text(what);
   if (!said.empty()) cli::tell(common, tool, said);
 }

@@ -1,6 +1,7 @@
 #include "tell.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "cli/file/standard_streams.h"
 
@@ -8,6 +9,11 @@ namespace cli {
 
 void tell(const Common& common, std::string_view tool, std::string_view message) {
   common.note(fmt::format("{}: {}\n", tool, shown_message(message)));
+}
+
+void tell_no(const Common& common, std::string_view tool, std::string_view message) {
+  const std::string said = fmt::format("{}: {}", tool, shown_message(message));
+  common.note(takes_colour(STDERR_FILENO) ? fmt::format("\x1b[31m{}\x1b[0m\n", said) : said + '\n');
 }
 
 geom::Notes notes_of(const Common& common, std::string tool) {

@@ -13,6 +13,9 @@ namespace cli {
 // One line on stderr, as complain() writes it; nothing with -q.
 void tell(const Common& common, std::string_view tool, std::string_view message);
 
+// The same of something that is refused: red on a terminal.
+void tell_no(const Common& common, std::string_view tool, std::string_view message);
+
 // What a reader says of a file, on stderr. `common` must outlive it.
 geom::Notes notes_of(const Common& common, std::string tool);
 

@@ -44,7 +44,9 @@ class Times {
     rests_ += written.estimates.front().time.rests;
     waypoints_ += written.estimates.front().time.waypoints;
     for (const traj::MissionEstimate& one : written.estimates) {
-      seconds_[one.autopilot] += one.time.seconds;
+      Time& time = times_[one.autopilot];
+      time.seconds += one.time.seconds;
+      time.at_least = one.at_least;
     }
   }
 
@@ -53,8 +55,9 @@ class Times {
   std::string text() const {
     if (missions_ == 0) return "";
     std::string times;
-    for (const auto& [autopilot, seconds] : seconds_) {
-      times += fmt::format("{}about {:.0f} s ({})", times.empty() ? "" : ", ", seconds, autopilot);
+    for (const auto& [autopilot, time] : times_) {
+      times += fmt::format("{}{} {:.0f} s ({})", times.empty() ? "" : ", ",
+                           time.at_least ? "at least" : "about", time.seconds, autopilot);
     }
     return fmt::format("{}as {} {} to the last waypoint, with rests at {} of {} waypoints",
                        planned_ > 0 ? fmt::format("{:.0f} s as planned; ", planned_) : "",
@@ -62,12 +65,26 @@ class Times {
                        rests_, waypoints_);
   }
 
+  // For --stats: seconds.
+  void add_to(nlohmann::ordered_json& stats) const {
+    if (missions_ == 0) return;
+    if (planned_ > 0) stats["planned_s"] = planned_;
+    for (const auto& [autopilot, time] : times_) {
+      stats[time.at_least ? "flown_at_least_s" : "flown_s"][autopilot] = time.seconds;
+    }
+  }
+
  private:
+  struct Time {
+    double seconds = 0;
+    bool at_least = false;
+  };
+
   std::size_t missions_ = 0;
   double planned_ = 0;  // s
   std::size_t rests_ = 0;
   std::size_t waypoints_ = 0;
-  std::map<std::string, double> seconds_;  // by autopilot
+  std::map<std::string, Time> times_;  // by autopilot
 };
 
 // A file for the one record, or one for each.
@@ -97,7 +114,9 @@ cli::Exit export_files(const cli::Common& common, const Options& options, Output
     }
   }
   if (!times.text().empty()) cli::tell(common, "skyway-export", times.text());
-  if (!stats.is_null()) common.write_stats(stats);
+  if (stats.is_null()) return refused ? cli::Exit::no : cli::Exit::yes;
+  times.add_to(stats);
+  common.write_stats(stats);
   return refused ? cli::Exit::no : cli::Exit::yes;
 }
 

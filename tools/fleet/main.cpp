@@ -15,12 +15,15 @@
 #include "cli/run.h"
 #include "cli/shard/sharding.h"
 #include "cli/tell.h"
+#include "geom/text/counted.h"
 #include "traj/fleet/departure_part.h"
+#include "traj/record/verdict.h"
 #include "traj/schedule/fleet_schedule.h"
 
 namespace {
 
 constexpr std::size_t kShown = 10;  // lines of a kind that are told
+constexpr int kRescue = 20;         // rounds, as long as a flight is refused
 
 struct Options {
   std::string input = "-";
@@ -35,8 +38,15 @@ struct Options {
   traj::Spacing spacing;
   traj::Parked parked = traj::Parked::pad;
   double max_delay = 600;
-  traj::DepartureOptions departures;
+  traj::DepartureOptions departures{.rescue = kRescue};
+  bool drop_refused = false;
 
+  traj::Refused refused() const {
+    return drop_refused ? traj::Refused::left_out : traj::Refused::kept;
+  }
+  void settle(const CLI::App& app) {
+    if (app.count("--improve") > 0) departures.rescue = 0;
+  }
   void add_to(CLI::App& app);
   void refuse_idle(const CLI::App& app, bool shard) const;
   cli::Sharding::Files inputs() const;
@@ -66,8 +76,11 @@ void Options::add_to(CLI::App& app) {
                  "flights keep apart from them, too")
       ->type_name("FILE");
   app.add_option("--improve", departures.improve,
-                 "rounds in which flights that wait are moved forward (default 0)")
+                 "rounds in which flights that wait are moved forward (default: 0, and up to 20 "
+                 "while a flight would be refused)")
       ->check(CLI::Range(0, 1000000));
+  app.add_flag("--drop-refused", drop_refused,
+               "leave flights out that have no departure, and answer for the others");
   app.add_option("--seed", departures.seed, "seed of the order of --improve (default 0)");
 }
 
@@ -152,12 +165,28 @@ traj::FleetObstacles read_obstacles(const Options& options, const traj::FleetStr
 void write(const traj::FleetSchedule& schedule, const traj::FleetProof& proof,
            const Options& options) {
   cli::OutputFile out(options.output, cli::OutputKind::text);
-  for (const std::string& record : schedule.records()) out.stream() << record;
+  for (const std::string& record : schedule.records(options.refused())) {
+    out.stream() << record;
+  }
   out.commit();
   if (options.report.empty()) return;
   cli::OutputFile report(options.report, cli::OutputKind::text);
-  report.stream() << schedule.report(proof, options.departures.improve);
+  report.stream() << schedule.report(proof, options.departures.improve, options.refused());
   report.commit();
+}
+
+// How the flights of the stream came out, and how those of others are among themselves.
+std::string verdicts(const traj::FleetStream& stream, const traj::FleetSchedule& schedule,
+                     const traj::FleetProof& proof) {
+  std::string out = fmt::format("{} of {} flights depart, proved to keep apart{}",
+                                schedule.departing(), stream.entries().size(),
+                                stream.others() > 0 ? " from each other and from --others" : "");
+  if (!proof.together.ok()) {
+    out += fmt::format("; {} too near each other, which does not count here",
+                       geom::counted(proof.together.refused.size(), "pair of --others is",
+                                     "pairs of --others are"));
+  }
+  return out;
 }
 
 void tell(const cli::Common& common, const traj::FleetStream& stream,
@@ -167,7 +196,8 @@ void tell(const cli::Common& common, const traj::FleetStream& stream,
   std::size_t shown = 0;
   for (const traj::FleetStream::Entry& entry : stream.entries()) {
     if (!entry.number) {
-      batch.add_failed(name(entry.record->status));
+      batch.add_failed(name(entry.record->status),
+                       entry.record->id + ": " + traj::in_words(*entry.record));
     } else if (departures.of[*entry.number].start) {
       batch.add_good();
     } else {
@@ -181,10 +211,18 @@ void tell(const cli::Common& common, const traj::FleetStream& stream,
   batch.tell(common, "skyway-fleet", "flights have no departure");
   const auto& near = proof.together.refused;
   for (std::size_t i = 0; i < std::min(near.size(), kShown); ++i) {
-    cli::tell(common, "skyway-fleet", schedule.too_near(near[i]));
+    common.warn(schedule.too_near(near[i]));
   }
-  if (near.size() > kShown) {
-    cli::tell(common, "skyway-fleet", fmt::format("and {} more such pairs", near.size() - kShown));
+  if (near.size() > kShown)
+    common.warn(fmt::format("and {} more such pairs", near.size() - kShown));
+  if (departures.rescued > 0) {
+    cli::tell(common, "skyway-fleet",
+              fmt::format("{} without moving others back (--improve 0)",
+                          geom::counted(departures.rescued, "flight would have no departure",
+                                        "flights would have no departure")));
+  }
+  if (schedule.departing() < stream.entries().size() || !near.empty()) {
+    cli::tell(common, "skyway-fleet", verdicts(stream, schedule, proof));
   }
 }
 
@@ -210,7 +248,7 @@ cli::Exit schedule_fleet(const Options& options, const cli::Sharding& sharding,
     return cli::Exit::yes;
   }
   const traj::Departures departures =
-      traj::choose_departures(flights, conflicts, options.departures);
+      traj::choose_departures(flights, conflicts, options.departures, common.execution("rounds"));
   const double choose_s = clock.lap();
   const traj::FleetSchedule schedule({stream, obstacles, flights, conflicts, departures},
                                      options.spacing, options.parked);
@@ -219,6 +257,11 @@ cli::Exit schedule_fleet(const Options& options, const cli::Sharding& sharding,
   write(schedule, proof, options);
   tell(common, stream, schedule, proof, departures);
   common.write_stats({{"flights", flights.size()},
+                      {"departing", schedule.departing()},
+                      {"refused", schedule.refused()},
+                      {"left_out", schedule.without()},
+                      {"dropped", options.drop_refused},
+                      {"others_too_near", proof.together.refused.size()},
                       {"near", conflicts.looked_at},
                       {"conflicting", conflicts.pairs.size()},
                       {"read_s", read_s},
@@ -226,8 +269,7 @@ cli::Exit schedule_fleet(const Options& options, const cli::Sharding& sharding,
                       {"choose_s", choose_s},
                       {"prove_s", prove_s},
                       {"write_s", clock.lap()}});
-  const bool all = schedule.refused() + schedule.without() == 0 && proof.together.ok();
-  return all ? cli::Exit::yes : cli::Exit::no;
+  return schedule.ok(options.refused()) ? cli::Exit::yes : cli::Exit::no;
 }
 
 }  // namespace
@@ -244,6 +286,7 @@ int main(int argc, char** argv) {
       ->expected(1, -1);
   return cli::run_tool(app, argc, argv, [&] {
     options.refuse_idle(app, sharding.asked());
+    options.settle(app);
     sharding.begin(app, options.inputs(), {{"output", options.output}});
     if (const auto done = sharding.finished(common)) return *done;
     return schedule_fleet(options, sharding, common);

@@ -16,6 +16,7 @@
 #include "options.h"
 #include "traj/flight/gains_record.h"
 #include "traj/record/simulated_flights.h"
+#include "traj/record/verdict.h"
 
 namespace {
 
@@ -118,7 +119,8 @@ class Flights {
       batch_.add_good();
     } else {
       ++failed_;
-      batch_.add_failed(traj::reason(flight.report));
+      batch_.add_failed(traj::reason(flight.report),
+                        flight.report.id + ": " + traj::in_words(flight.report, map_));
     }
   }
 

@@ -41,6 +41,7 @@ struct Answer {
 
 // What all came to.
 struct Planned {
+  bool of_one = false;  // then main() says why there is no path
   std::size_t records = 0;
   std::size_t found = 0;
   cli::Batch batch;
@@ -54,7 +55,12 @@ struct Planned {
     ++records;
     found += is_found;
     open += answer.open;
-    is_found ? batch.add_good() : batch.add_failed(name(answer.record.status));
+    if (is_found) {
+      batch.add_good();
+    } else {
+      batch.add_failed(name(answer.record.status),
+                       of_one ? "" : answer.record.id + ": " + answer.record.message);
+    }
     snapped.add(answer.moved);
     last = std::move(answer);
   }
@@ -119,7 +125,7 @@ Planned plan_each(Answers answers, const std::vector<geom::PlanQuery>& queries,
                   const geom::Shard& shard, const geom::Execution& run, Outputs& out) {
   constexpr std::size_t kBlock = 1024;
   const std::vector<std::size_t> chosen = shard.items(queries.size());
-  Planned planned;
+  Planned planned{.of_one = queries.size() == 1};
   for (std::size_t begin = 0; begin < chosen.size(); begin += kBlock) {
     std::vector<Answer> block(std::min(kBlock, chosen.size() - begin));
     const auto progress = [&](std::size_t done, std::size_t) {

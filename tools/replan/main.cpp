@@ -96,7 +96,13 @@ Tally write_records(const std::vector<geom::PathRecord>& records, const std::str
   Tally tally;
   for (const geom::PathRecord& record : records) {
     const bool kept = found(record) && record.origin->mended.empty();
-    found(record) ? tally.batch.add_good() : tally.batch.add_failed(name(record.status));
+    if (found(record)) {
+      tally.batch.add_good();
+    } else if (records.size() == 1) {
+      tally.batch.add_failed(name(record.status));  // main() says why
+    } else {
+      tally.batch.add_failed(name(record.status), record.id + ": " + record.message);
+    }
     ++(!found(record) ? tally.failed : kept ? tally.kept : tally.mended);
     if (found(record) && !record.message.empty()) {
       common.warn(fmt::format("{}: {}", record.id, record.message));

@@ -72,9 +72,25 @@ int answer(std::string_view text) {
   }
 }
 
+// The package of a tool that a build may leave out, as its libraries are large; empty for others.
+std::string package_of(const std::string& program) {
+  for (const char* tool : {"skyway-footprints", "skyway-cloud", "skyway-mesh"}) {
+    if (program == tool) return program;
+  }
+  return program == "man" ? "man-db" : "";
+}
+
 // Only returns where the program cannot be run.
 int cannot_run(const std::string& program) {
-  cli::complain("skyway", fmt::format("cannot run {}: {}", program, std::strerror(errno)));
+  const std::string package = errno == ENOENT ? package_of(program) : "";
+  const std::string reason = std::strerror(errno);
+  if (package.empty()) {
+    cli::complain("skyway", fmt::format("cannot run {}: {}", program, reason));
+  } else {
+    cli::complain("skyway",
+                  fmt::format("{} is not installed: apt install {}{}", program, package,
+                              program == "man" ? "" : ", or build all tools (./bootstrap all)"));
+  }
   return 4;
 }
 

@@ -14,6 +14,7 @@
 #include "cli/shard/record_output.h"
 #include "geom/base/processes.h"
 #include "options.h"
+#include "traj/record/verdict.h"
 
 namespace {
 
@@ -69,36 +70,38 @@ traj::SolvedRecord answer_to(const geom::PathRecord& path, const std::string& so
   return traj::solve_record(scene, path, task.options, task.yaw);
 }
 
+struct Tally {
+  Counts counts;
+  cli::Batch batch;
+};
+
+bool is_failure(std::string_view found) { return found == "no_path" || found == "infeasible"; }
+
+void add(const solving::Answer& answer, const std::string& source, Tally& tally) {
+  ++tally.counts[std::string(answer.found)];
+  if (!is_failure(answer.found)) return tally.batch.add_good();
+  const traj::TrajectoryRecord record = traj::parse_trajectory_record(answer.trajectory, source, 0);
+  tally.batch.add_failed(answer.found, record.id + ": " + traj::in_words(record));
+}
+
 // A process an optimisation: MUMPS is not thread safe.
-Counts solve_each(const Share& share, const solving::Options& options, cli::Scenes& scenes,
-                  const geom::Execution& run, Outputs& out) {
+Tally solve_each(const Share& share, const solving::Options& options, cli::Scenes& scenes,
+                 const geom::Execution& run, Outputs& out) {
   const auto work = [&](std::size_t i) {
     const auto& [line, number] = share.lines[i];
     const geom::PathRecord path = geom::parse_path_record(line, share.source, number);
     return solving::to_text(answer_to(path, share.source, number, options, scenes),
                             out.corridors.has_value());
   };
-  Counts counts;
+  Tally tally;
   const auto take = [&](std::size_t i, const std::string& text) {
     const solving::Answer answer = solving::parse_answer(text);
-    ++counts[std::string(answer.found)];
+    add(answer, share.source, tally);
     if (run.progress) run.progress(i + 1, share.lines.size());
     out.add(answer);
   };
   geom::in_processes(share.lines.size(), run.threads, work, take);
-  return counts;
-}
-
-bool is_failure(std::string_view found) { return found == "no_path" || found == "infeasible"; }
-
-cli::Batch batch_of(const Counts& counts) {
-  cli::Batch batch;
-  for (const auto& [found, count] : counts) {
-    for (std::size_t i = 0; i < count; ++i) {
-      is_failure(found) ? batch.add_failed(found) : batch.add_good();
-    }
-  }
-  return batch;
+  return tally;
 }
 
 }  // namespace
@@ -133,12 +136,13 @@ int main(int argc, char** argv) {
     if (!options.corridor_file.empty()) {
       out.corridors.emplace(options.corridor_file, "corridor-file", sharding);
     }
-    const Counts counts = solve_each(share, options, scenes, common.execution("trajectories"), out);
+    const auto [counts, batch] =
+        solve_each(share, options, scenes, common.execution("trajectories"), out);
     const bool no = std::any_of(counts.begin(), counts.end(),
                                 [](const auto& count) { return is_failure(count.first); });
     const cli::Exit exit = no ? cli::Exit::no : cli::Exit::yes;
     out.commit(share.total, exit);
-    batch_of(counts).tell(common, "skyway-traj", "paths have no trajectory");
+    batch.tell(common, "skyway-traj", "paths have no trajectory");
     common.write_stats({{"records", counts}});
     return exit;
   });

@@ -98,12 +98,14 @@ void say_allowance(const FileFlight& file, const Flier& flier, ReportRecord& rep
 ReportRecord unsolved_report(const TrajectoryRecord& record) {
   ReportRecord report = report_of(record, "trajectory");
   report.result.reason = reason_of(record.status);
+  report.detail = record.message;
   return report;
 }
 
 ReportRecord unsolved_report(const geom::PathRecord& record) {
   ReportRecord report = report_of(record, "path");
   report.result.reason = Reason::no_path;
+  report.detail = record.message;
   return report;
 }
 

@@ -51,6 +51,21 @@ void FlightSet::add(const TrajectoryRecord& record, const geom::CollisionScene* 
   task_.ids.push_back(record.id);
 }
 
+void FlightSet::drop(std::vector<std::string> ids) {
+  const std::set<std::string> gone(ids.begin(), ids.end());
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < flights_.size(); ++i) {
+    if (gone.count(task_.ids[i]) > 0) continue;
+    flights_[kept] = flights_[i];
+    if (kept != i) task_.ids[kept] = std::move(task_.ids[i]);
+    ++kept;
+  }
+  flights_.erase(flights_.begin() + static_cast<std::ptrdiff_t>(kept), flights_.end());
+  task_.ids.resize(kept);
+  left_out_ = 0;
+  task_.dropped = std::move(ids);
+}
+
 TogetherResult FlightSet::check(bool exact, const geom::Execution& run) {
   task_.rule.exact = exact;
   task_.flights_hash = flights_hash(task_.ids, flights_, task_.epoch);

@@ -35,17 +35,21 @@ class Chooser {
     for (const std::uint32_t number : order()) place(number);
   }
 
-  void improve(const DepartureOptions& options, Departures& out) {
+  void improve(const DepartureOptions& options, const geom::Execution& run, Departures& out) {
     geom::SplitMix64 random(options.seed);
-    for (int round = 0; round < options.improve; ++round) {
-      bool any = false;
-      for (const std::uint32_t number : shuffled(waiting(), random)) {
-        if (!bring_forward(number)) continue;
-        ++out.moved;
-        any = true;
-      }
-      if (!any) break;
+    const int all = options.improve + options.rescue;
+    const auto done = [&](int rounds) {
+      if (run.progress)
+        run.progress(static_cast<std::size_t>(rounds), static_cast<std::size_t>(all));
+    };
+    int round = 0;
+    while (round < options.improve && improve_once(random, out)) done(++round);
+    const std::size_t before = refused();
+    for (round = options.improve; round < all && may_rescue(); done(++round)) {
+      if (!improve_once(random, out)) break;
     }
+    out.rescued = before - refused();
+    if (all > 0) done(all);
   }
 
   std::vector<Departure> result() const {
@@ -70,6 +74,26 @@ class Chooser {
   }
 
  private:
+  // A round. False where it changes nothing.
+  bool improve_once(geom::SplitMix64& random, Departures& out) {
+    const std::size_t before = out.moved;
+    for (const std::uint32_t number : shuffled(waiting(), random))
+      out.moved += bring_forward(number);
+    return out.moved > before;
+  }
+
+  // Whether one is refused for which others could be moved.
+  bool may_rescue() const {
+    for (std::uint32_t number = 0; number < ways_.size(); ++number) {
+      if (!way_[number] && !to_move(number).empty()) return true;
+    }
+    return false;
+  }
+
+  std::size_t refused() const {
+    return static_cast<std::size_t>(std::count(way_.begin(), way_.end(), std::nullopt));
+  }
+
   const FleetFlight& first_of(std::uint32_t number) const {
     return flights_[ways_[number].front()];
   }
@@ -277,12 +301,12 @@ class Chooser {
 }  // namespace
 
 Departures choose_departures(std::span<const FleetFlight> flights, const FleetConflicts& conflicts,
-                             const DepartureOptions& options) {
+                             const DepartureOptions& options, const geom::Execution& run) {
   Chooser chooser(flights, conflicts);
   chooser.place_all();
   Departures out;
   out.before = chooser.delay();
-  chooser.improve(options, out);
+  chooser.improve(options, run, out);
   out.of = chooser.result();
   return out;
 }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geom/vehicle/shown_limit.h"
+#include "traj/record/verdict.h"
 
 namespace traj {
 
@@ -16,44 +16,6 @@ std::string in_words(std::string_view quantity) {
 }
 
 namespace {
-
-// What would go wrong, after "flown as the file says, " or its like.
-std::string fault(const CheckResult& result) {
-  for (const LimitKind& kind : kLimitKinds) {
-    const std::string quantity = in_words(kind.quantity);
-    if (result.reason == broken(kind.limit)) {
-      return fmt::format("the {} would be {}, above its limit", quantity,
-                         geom::shown(kind, result.worst));
-    }
-    if (result.reason == unmeasured(kind.limit)) {
-      return fmt::format("the {} would be unknown, and it has a limit", quantity);
-    }
-  }
-  switch (result.reason) {
-    case Reason::collision:
-      return fmt::format("the vehicle would touch an obstacle, {:.3g} m deep", result.worst);
-    case Reason::bounds:
-      return fmt::format("the vehicle would leave the bounds by {:.3g} m", result.worst);
-    case Reason::takeoff:
-      return fmt::format("the vehicle would begin only {:.3g} m above the ground", result.worst);
-    case Reason::landing:
-      return result.worst == 0
-                 ? "the vehicle would land on an edge, not on level ground"
-                 : fmt::format("the vehicle would land on ground {:.3g} m {} than the file says",
-                               std::abs(result.worst), result.worst > 0 ? "lower" : "higher");
-    case Reason::ceiling:
-      return fmt::format("the vehicle would be {:.3g} m high, above its ceiling", result.worst);
-    case Reason::range:
-      return fmt::format("the vehicle would be {:.3g} m from home, out of its range", result.worst);
-    case Reason::endurance:
-      return fmt::format("the vehicle would fly for {:.4g} s, longer than it can", result.worst);
-    case Reason::end:
-      return fmt::format("the vehicle would end {:.3g} m from the end of the trajectory",
-                         result.worst);
-    default:
-      return fmt::format("the check would say \"{}\" ({:.3g})", name(result.reason), result.worst);
-  }
-}
 
 // What it touched, where that is in the map for a time only.
 bool is_timed(const geom::CollisionScene& scene, const CheckResult& result) {
@@ -117,9 +79,10 @@ std::string refusal(const geom::CollisionScene& scene, const MissionTask& task,
   const std::string how = result.strayed.empty() ? "as the file says"
                           : result.part ? "by " + result.strayed + ", which may stray from its way"
                                         : "with what is allowed for " + result.strayed;
-  return fmt::format("flown {}, {}; {}, near [{:.3f}, {:.3f}, {:.3f}]{}{}", how, fault(result),
-                     when, result.place[0], result.place[1], result.place[2],
-                     advice.empty() ? "" : ": ", advice);
+  return fmt::format("flown {}, {}; {}, near [{:.3f}, {:.3f}, {:.3f}]{}{}", how,
+                     fault_in_words(result, scene.map(), {task.limits, scene.half()}), when,
+                     result.place[0], result.place[1], result.place[2], advice.empty() ? "" : ": ",
+                     advice);
 }
 
 }  // namespace traj

@@ -3,32 +3,14 @@
 #include <fmt/format.h>
 
 #include "geom/text/markup.h"
+#include "traj/record/verdict.h"
 
 namespace traj {
-namespace {
-
-// "collision, 0.413 m, box 7, item 3 (corner), near [1.000, 2.000, 3.000]".
-std::string failure_of(const ReportRecord& report, const geom::BoxMap& map) {
-  const CheckResult& result = report.result;
-  if (result.ok) return "the exact check refuses what the other accepts";
-  std::string words(name(result.reason));
-  if (!result.looked) return words;
-  words += fmt::format(", {:.4g}", result.worst);
-  if (result.box) words += fmt::format(", box {}", map.ids()[*result.box]);
-  if (result.part) {
-    words += fmt::format(", item {} ({})", result.part->item, name(result.part->manoeuvre));
-  }
-  const geom::Vec3& p = result.place;
-  words += fmt::format(", near [{:.3f}, {:.3f}, {:.3f}]", p.x(), p.y(), p.z());
-  if (!report.detail.empty()) words += ": " + report.detail;
-  return words;
-}
-
-}  // namespace
 
 void JUnitSuite::add(const ReportRecord& report, const geom::BoxMap& map) {
   if (accepted(report)) return add_case(report.id, {}, {});
-  add_case(report.id, name(report.result.reason), failure_of(report, map));
+  if (report.dropped) return add_skipped(report.id, in_words(report, map));
+  add_case(report.id, verdict_word(report), in_words(report, map));
 }
 
 void JUnitSuite::add(const TogetherResult& result, const TogetherTask& task, std::size_t left_out) {
@@ -75,11 +57,22 @@ void JUnitSuite::add_case(const std::string& name, std::string_view failure,
                         failure, geom::escaped_markup(message));
 }
 
+void JUnitSuite::add_skipped(const std::string& name, const std::string& message) {
+  ++tests_;
+  ++skipped_;
+  cases_ += fmt::format(
+      "    <testcase classname=\"skyway-check\" name=\"{}\">\n      <skipped message=\"{}\"/>\n    "
+      "</testcase>\n",
+      geom::escaped_markup(name), geom::escaped_markup(message));
+}
+
 std::string JUnitSuite::xml() const {
+  const std::string skipped = skipped_ > 0 ? fmt::format(" skipped=\"{}\"", skipped_) : "";
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n  <testsuite "
-      "name=\"skyway-check\" tests=\"{0}\" failures=\"{1}\">\n{2}  </testsuite>\n</testsuites>\n",
-      tests_, failures_, cases_);
+      "name=\"skyway-check\" tests=\"{0}\" failures=\"{1}\"{3}>\n{2}  "
+      "</testsuite>\n</testsuites>\n",
+      tests_, failures_, cases_, skipped);
 }
 
 }  // namespace traj

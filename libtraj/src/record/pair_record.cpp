@@ -73,6 +73,7 @@ std::string to_json_line(const TogetherResult& result, const TogetherTask& task,
   line.add("type", "together").add("ok", result.ok() && left_out == 0);
   line.add("flights", task.ids.size());
   if (left_out > 0) line.add("left_out", left_out);
+  if (!task.dropped.empty()) line.add("dropped", task.dropped);
   line.add("pairs", result.pairs).add("near", result.near).add("pieces", result.pieces);
   line.add("refused", result.refused.size());
   add(line, task.rule.spacing);

@@ -153,6 +153,7 @@ std::string to_json_line(const ReportRecord& record, const geom::BoxMap& map) {
   JsonLine line;
   line.add("type", "report").add("id", record.id).add("ok", accepted(record));
   add_reason(line, record, map);
+  if (record.dropped) line.add("dropped", true);
   line.add("checked", record.checked);
   if (!record.detail.empty()) line.add("detail", record.detail);
   line.add("home", record.home);

@@ -23,19 +23,37 @@ JsonLine plan_of(const SampledReport& report) {
 
 }  // namespace
 
+std::string_view reason_of(const SampledReport& report, const geom::BoxMap& map) {
+  const SampledFlight& result = report.result;
+  const std::string_view found = verdict(result);
+  const std::optional<double>& asked = report.rule.clearance;
+  if (found != "sampled") return found;
+  if (!asked && !report.rule.sampled) return "sampled";
+  if (report.cut) return "cut";
+  if (!asked || map.size() == 0) return "";
+  if (!result.clearance) return "clearance_not_measured";
+  return result.clearance->value >= *asked ? "" : "clearance";
+}
+
 std::string to_json_line(const SampledReport& report, const geom::BoxMap& map) {
   const SampledFlight& result = report.result;
-  const bool sampled = verdict(result) == "sampled";
+  const std::string_view reason = reason_of(report, map);
   JsonLine line;
-  line.add("type", "report").add("id", report.id).add("ok", false);
-  line.add("reason", verdict(result));
-  if (sampled) {
-    line.add("verdict", "sampled");
-  } else {
+  line.add("type", "report").add("id", report.id).add("ok", reason.empty());
+  if (!reason.empty()) line.add("reason", reason);
+  if (verdict(result) != "sampled") {
     line.add("time", result.time).add("place", result.place).add("worst", result.worst);
     if (result.box) line.add("box", map.ids()[*result.box]);
+  } else if (reason == "clearance") {
+    line.add("time", result.clearance->time).add("place", result.nearest);
+    line.add("worst", result.clearance->value);
+  } else if (reason.empty() && report.rule.clearance) {
+    line.add("verdict", "clearance");
+  } else if (reason.empty() || reason == "sampled") {
+    line.add("verdict", "sampled");
   }
   line.add("checked", "flight log");
+  line.add("required_clearance", report.rule.clearance);
   if (result.clearance) {
     line.add("clearance", result.clearance->value).add("clearance_time", result.clearance->time);
     line.add("nearest", result.nearest);

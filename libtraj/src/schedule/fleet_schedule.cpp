@@ -74,6 +74,13 @@ std::size_t FleetSchedule::refused() const {
       own().begin(), own().end(), [](const Departure& departure) { return !departure.start; }));
 }
 
+std::size_t FleetSchedule::departing() const { return own().size() - refused(); }
+
+bool FleetSchedule::ok(Refused refused_ones) const {
+  if (refused_ones == Refused::left_out) return departing() > 0;
+  return refused() + without() == 0;
+}
+
 std::size_t FleetSchedule::without() const { return made_.stream.entries().size() - own().size(); }
 
 std::vector<std::string> FleetSchedule::blocked_ids(const Departure& departure,
@@ -144,9 +151,12 @@ std::string FleetSchedule::record_of(const FleetStream::Entry& entry) const {
   return to_json_line(record);
 }
 
-std::vector<std::string> FleetSchedule::records() const {
+std::vector<std::string> FleetSchedule::records(Refused refused) const {
   std::vector<std::string> out;
-  for (const FleetStream::Entry& entry : made_.stream.entries()) out.push_back(record_of(entry));
+  for (const FleetStream::Entry& entry : made_.stream.entries()) {
+    const bool departs = entry.number && made_.departures.of[*entry.number].start;
+    if (departs || refused == Refused::kept) out.push_back(record_of(entry));
+  }
   return out;
 }
 
@@ -175,14 +185,23 @@ std::string FleetSchedule::refusal(const FleetStream::Entry& entry) const {
   return line.object();
 }
 
-std::string FleetSchedule::report(const FleetProof& proof, int rounds) const {
+std::vector<std::string> FleetSchedule::dropped_ids() const {
+  std::vector<std::string> out;
+  for (const FleetStream::Entry& entry : made_.stream.entries()) {
+    const bool departs = entry.number && made_.departures.of[*entry.number].start;
+    if (!departs) out.push_back(entry.record->id);
+  }
+  return out;
+}
+
+std::string FleetSchedule::report(const FleetProof& proof, int rounds, Refused refused_ones) const {
   using geom::JsonLine;
   const std::vector<double> delay = delays();
   const double sum = std::accumulate(delay.begin(), delay.end(), 0.0);
   const double count = std::max<double>(1, static_cast<double>(delay.size()));
   const TogetherResult& together = proof.together;
   JsonLine line;
-  line.add("type", "fleet").add("ok", refused() == 0 && without() == 0 && together.ok());
+  line.add("type", "fleet").add("ok", ok(refused_ones));
   line.add("flights", own().size()).add("departing", delay.size());
   if (made_.stream.others() > 0) line.add("others", made_.stream.others());
   if (!together.ok()) {
@@ -190,6 +209,7 @@ std::string FleetSchedule::report(const FleetProof& proof, int rounds) const {
              [&](const RefusedPair& pair) { return ids(pair); });
   }
   if (without() > 0) line.add("left_out", without());
+  if (refused_ones == Refused::left_out) line.add("dropped", dropped_ids());
   line.add("delay", JsonLine()
                         .add("mean", sum / count)
                         .add("p95", delay.empty() ? 0 : geom::percentile(delay, 0.95))
@@ -212,10 +232,10 @@ std::string FleetSchedule::report(const FleetProof& proof, int rounds) const {
            JsonLine().add("conflicts", conflicts_as_asked(made_.flights, made_.conflicts)));
   line.add("pairs", together.pairs).add("near", made_.conflicts.looked_at);
   line.add("conflicting", made_.conflicts.pairs.size());
-  line.add("improved", JsonLine()
-                           .add("rounds", rounds)
-                           .add("moved", made_.departures.moved)
-                           .add("mean_before", made_.departures.before / count));
+  JsonLine improved;
+  improved.add("rounds", rounds).add("moved", made_.departures.moved);
+  if (made_.departures.rescued > 0) improved.add("rescued", made_.departures.rescued);
+  line.add("improved", improved.add("mean_before", made_.departures.before / count));
   add_proof(proof, line);
   return line.add("epoch", made_.stream.epoch()).line();
 }

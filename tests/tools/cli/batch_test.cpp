@@ -24,5 +24,26 @@ TEST(Batch, SaysNothingWhereAllAreGoodOrThereIsOneAlone) {
   EXPECT_EQ(good.text("records failed"), "");
 }
 
+std::string told(const Batch& batch) {
+  CLI::App app;
+  const Common common(app);
+  ::testing::internal::CaptureStderr();
+  batch.tell(common, "t", "records failed");
+  return ::testing::internal::GetCapturedStderr();
+}
+
+TEST(Batch, SaysASentenceOfTheFirstThatFailed) {
+  Batch one;
+  one.add_failed("collision", "a: it touches");
+  EXPECT_EQ(told(one), "t: a: it touches\n");
+  Batch many;
+  for (int i = 0; i < 9; ++i) many.add_failed("collision", std::string(1, 'a' + i) + ": touches");
+  EXPECT_EQ(told(many),
+            "t: a: touches\nt: b: touches\nt: c: touches\nt: 9 of 9 records failed: 9 collision\n");
+  Batch silent;
+  silent.add_failed("collision");
+  EXPECT_EQ(told(silent), "");
+}
+
 }  // namespace
 }  // namespace cli

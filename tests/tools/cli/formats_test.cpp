@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/content/drone_file.h"
+#include "cli/file/files.h"
 #include "geom/base/error.h"
 #include "geom/cloud/cloud_format.h"
 #include "geom/gis/footprint_format.h"
@@ -204,6 +206,29 @@ TEST(Formats, AreRecognisedByTheirOwnRowFirst) {
                              << (found ? found->what : "nothing");
   }
   for (const auto& [what, sample] : kSamples) EXPECT_TRUE(seen.contains(what)) << what;
+}
+
+// What skyway-check takes FILE for: what it is, and nothing else for one of these.
+TEST(Formats, AreSettledAsWhatTheyAre) {
+  const std::string path = ::testing::TempDir() + "sample";
+  for (const auto& [what, sample] : kSamples) {
+    std::ofstream(path, std::ios::binary) << sample;
+    const Format* const format = recognise(sample);
+    for (const char* asked : {"", kAuto, kRecordsWord, "wpl"}) {
+      DroneFileOptions options{.format = asked};
+      InputFile file(path);
+      options.settle(file);
+      const bool open = asked == std::string_view("") || asked == std::string_view(kAuto);
+      const std::string settled = is_drone_format(format)                         ? kAuto
+                                  : format == &kFlightLog                         ? kFlightLogWord
+                                  : format == &kPaths || format == &kTrajectories ? ""
+                                                                                  : asked;
+      const std::string insisted = asked == std::string_view(kRecordsWord) ? "" : asked;
+      EXPECT_EQ(options.format, open ? settled : insisted) << what << ", asked: " << asked;
+      EXPECT_EQ(file.read_all(), sample) << "the beginning stays to be read";
+    }
+  }
+  std::filesystem::remove(path);
 }
 
 // A sample that two rows know would depend on the order of the tables.

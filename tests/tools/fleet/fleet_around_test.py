@@ -119,7 +119,11 @@ def check_fleet(seed):
     for i, a in enumerate(others):
         for b in others[i + 1:]:
             assert not meet(at[a["id"]], at[b["id"]]) or [a["id"], b["id"]] in near, (seed, a["id"], b["id"])
-    assert report["ok"] == (not near and not report["refused"])
+    assert report["ok"] == (not report["refused"])  # whatever others are among themselves
+    tool("skyway-fleet", *command, "--drop-refused", "-o", "left.jsonl", "--report", "left.json", codes=(0,) if departing else (1,))
+    left = read("left.json")[0]
+    assert read("left.jsonl") == departing and left["ok"] == bool(departing), seed
+    assert left["dropped"] == [r["id"] for r in out if r["status"] != "solved"], seed
     alone = {name for pair in near for name in pair[1:]}
     apart = write("apart.jsonl", departing + [r for r in others if r["id"] not in alone])
     tool("skyway-check", "m.boxmap", apart, "--no-clearance", "--together", *rule, "--certificate", "c.jsonl", "-o", "r.jsonl")

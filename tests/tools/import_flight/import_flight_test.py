@@ -261,6 +261,18 @@ def check_verdicts(folder, flights):
         touched, near = truth[report["id"]]
         expect("verdicts", not (touched and report["reason"] == "sampled"), report)
         expect("verdicts", near or report["reason"] == "sampled", report)
+    # What an option accepts touches nothing and, where that was asked, kept its distance.
+    log = ("\n".join(lines) + "\n").encode()
+    for option in (["--sampled"], ["--require-clearance", "0.5"]):
+        code, out, err = run("skyway-check", folder / "m", "-", "--vehicle", "box:1,1,1", "-q", *option, data=log)
+        reports = [json.loads(line) for line in out.splitlines()]
+        expect("verdicts", code == (0 if all(r["ok"] for r in reports) else 1) and len(reports) == flights, (option, code, err))
+        for report in reports:
+            touched, near = truth[report["id"]]
+            kept = report["clearance"] >= 0.5 if "clearance" in report else False
+            accepted = not touched if option == ["--sampled"] else not touched and kept
+            expect("verdicts", report["ok"] == accepted or near and not touched, (option, report))
+            expect("verdicts", not (report["ok"] and touched), (option, report))
     count = sum(touched for touched, _ in truth.values())
     print(f"verdicts: {flights} flights, {count} touch")
     expect("verdicts", 300 < count < flights - 300, count)

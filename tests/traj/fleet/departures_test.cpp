@@ -94,6 +94,36 @@ TEST(ChooseDepartures, ImprovesByLettingOneGoFirst) {
   EXPECT_GT(after.moved, 0u);
 }
 
+// The second may not wait, the first may.
+TEST(ChooseDepartures, RescuesWhoWouldBeRefused) {
+  auto f = flights(2);
+  f[1].latest = 0;
+  const auto c = conflicts({{{0, 1}, {-5, 5}}});
+  EXPECT_FALSE(choose_departures(f, c).of[1].start);
+  const Departures chosen = choose_departures(f, c, {.rescue = 1});
+  EXPECT_EQ(chosen.of[1].start, 0);
+  EXPECT_EQ(chosen.of[0].start, 5.001);
+  EXPECT_EQ(chosen.rescued, 1u);
+}
+
+// Where none is refused, and where nothing may be moved, rescue changes nothing.
+TEST(ChooseDepartures, RescuesNobodyWhereNobodyNeedsItOrItCannotHelp) {
+  const auto c = conflicts({{{0, 1}, {-1, 50}}, {{0, 2}, {-1, 50}}});
+  const Departures plain = choose_departures(flights(3), c);
+  const Departures same = choose_departures(flights(3), c, {.rescue = 20});
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(same.of[i].start, plain.of[i].start);
+  EXPECT_EQ(same.moved, 0u);
+  auto f = flights(2, 4);
+  f[0].settled = true;
+  std::size_t rounds = 0;
+  const auto count = [&](std::size_t, std::size_t) { ++rounds; };
+  const auto none =
+      choose_departures(f, conflicts({{{0, 1}, {-50, 50}}}), {.rescue = 20}, {1, count});
+  EXPECT_FALSE(none.of[1].start);
+  EXPECT_EQ(none.rescued, 0u);
+  EXPECT_LE(rounds, 1u) << "no round is made for it";
+}
+
 TEST(ChooseDepartures, NoRoundMovesHigherPriorityBack) {
   auto f = flights(3);
   f[0].priority = 2;

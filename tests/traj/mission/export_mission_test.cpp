@@ -69,7 +69,7 @@ TEST(ExportMission, NoFormatIsWrittenThroughAWall) {
       EXPECT_FALSE(made.written) << format->format.word << " at " << x;
       EXPECT_FALSE(made.result.ok);
       EXPECT_EQ(made.result.reason, Reason::collision) << format->format.word;
-      EXPECT_NE(made.refusal.find("would touch an obstacle"), std::string::npos) << made.refusal;
+      EXPECT_NE(made.refusal.find("m into obstacle "), std::string::npos) << made.refusal;
     }
   }
 }

@@ -30,6 +30,27 @@ TEST(JUnitSuite, HasACaseARecordWithWhereItFailed) {
   EXPECT_NE(xml.find("near [1.000, 2.000, 3.000]"), std::string::npos);
 }
 
+TEST(JUnitSuite, SkipsWhatIsDropped) {
+  const geom::BoxMap city = support::random_city(1, 3, 50);
+  JUnitSuite suite;
+  ReportRecord dropped = report("b", false);
+  dropped.dropped = true;
+  suite.add(dropped, city);
+  const std::string xml = suite.xml();
+  EXPECT_NE(xml.find("tests=\"1\" failures=\"0\" skipped=\"1\""), std::string::npos) << xml;
+  EXPECT_NE(xml.find("<skipped message=\"the vehicle touches obstacle "), std::string::npos) << xml;
+}
+
+// One of the checks is wrong then: that is no pass.
+TEST(JUnitSuite, FailsWhatOnlyTheExactCheckRefuses) {
+  const geom::BoxMap city = support::random_city(1, 3, 50);
+  ReportRecord one = report("a", true);
+  one.exact = ExactResult{};
+  JUnitSuite suite;
+  suite.add(one, city);
+  EXPECT_NE(suite.xml().find("<failure type=\"exact\""), std::string::npos) << suite.xml();
+}
+
 TEST(JUnitSuite, SaysThatFlightsWereLeftOut) {
   TogetherResult result;
   result.pairs = 3;

@@ -19,7 +19,7 @@ SampledReport report(const std::vector<Vec3>& points, const std::vector<double>&
   return {"f", check_sampled(scene(), points, times), points.size(), false, {}, false, {}};
 }
 
-TEST(SampledReport, NeverSaysOk) {
+TEST(SampledReport, SaysOkOfNothingWithoutARule) {
   const auto all = {report({{0, 0, 5}, {1, 0, 5}}, {0, 1}), report({{0, 0, 5}, {20, 0, 5}}, {0, 1}),
                     report({{0, 0, 5}, {1, 0, 5}}, {0, 9})};
   for (const SampledReport& one : all) {
@@ -28,6 +28,52 @@ TEST(SampledReport, NeverSaysOk) {
     EXPECT_EQ(line.find("\"ok\":true"), std::string::npos) << line;
     EXPECT_FALSE(parse_report_record(line, "report", 1).ok);
   }
+}
+
+std::string said(SampledReport one, const SampledRule& rule) {
+  one.rule = rule;
+  const std::string line = to_json_line(one, scene().map());
+  const ReportSummary read = parse_report_record(line, "report", 1);
+  EXPECT_EQ(read.ok, read.reason.empty()) << line;
+  EXPECT_EQ(read.reason, reason_of(one, scene().map())) << line;
+  return read.reason;
+}
+
+// Comes as near as 2 m, and stays in the air.
+const std::vector<Vec3> kNear = {{0, 0, 5}, {8, 0, 5}};
+
+TEST(SampledReport, AcceptsByItsRuleWhatTouchesNothing) {
+  const SampledReport one = report(kNear, {0, 1});
+  EXPECT_EQ(said(one, {}), "sampled");
+  EXPECT_EQ(said(one, {.sampled = true}), "");
+  EXPECT_EQ(said(one, {.clearance = 1.999}), "");
+  EXPECT_EQ(said(one, {.clearance = 2.001}), "clearance");
+  SampledReport asked = one;
+  asked.rule = {.clearance = 1.5};
+  const std::string line = to_json_line(asked, scene().map());
+  EXPECT_NE(line.find("\"ok\":true,\"verdict\":\"clearance\",\"checked\":\"flight log\","
+                      "\"required_clearance\":1.5,"),
+            std::string::npos)
+      << line;
+}
+
+// Whatever is asked: what was touched was touched, and what is not known is not accepted.
+TEST(SampledReport, NoRuleAcceptsATouchAGapOrAnEndThatIsNotKnown) {
+  const std::vector<SampledRule> rules = {{}, {.sampled = true}, {.clearance = 0}};
+  SampledReport cut = report(kNear, {0, 1});
+  cut.cut = true;
+  for (const SampledRule& rule : rules) {
+    EXPECT_EQ(said(report({{0, 0, 5}, {20, 0, 5}}, {0, 1}), rule), "collision");
+    EXPECT_EQ(said(report({{0, 0, 5}, {0, 0, 5e3}}, {0, 1}), rule), "bounds");
+    EXPECT_EQ(said(report(kNear, {0, 9}), rule), "gap");
+    EXPECT_EQ(said(cut, rule), rule.sampled || rule.clearance ? "cut" : "sampled");
+  }
+}
+
+TEST(SampledReport, AsksForMeasuredClearanceOnlyWhereThereAreObstacles) {
+  const std::vector<Vec3> standing = {{0, 0, -0.1}, {0, 0, -0.1}};
+  EXPECT_EQ(said(report(standing, {0, 1}), {.clearance = 1}), "clearance_not_measured");
+  EXPECT_EQ(said(report(standing, {0, 1}), {.sampled = true}), "");
 }
 
 TEST(SampledReport, SaysHowCloseItCame) {

@@ -6,6 +6,8 @@
 #include <array>
 
 #include "cli/answer/exit.h"
+#include "cli/file/drone_formats.h"
+#include "cli/file/own_formats.h"
 #include "cli/option/numbers_option.h"
 #include "cli/option/placement_option.h"
 #include "geom/base/error.h"
@@ -30,7 +32,8 @@ const std::vector<std::string>& option_names() {
 const std::vector<FormatOption>& reading_options() {
   static const std::vector<FormatOption> rows = [] {
     auto out = file_option_rows(&traj::MissionFormat::reads_with);
-    FormatOption& metres = out.emplace_back(FormatOption{"--metres", {"records", kFlightLogWord}});
+    FormatOption& metres =
+        out.emplace_back(FormatOption{"--metres", {kRecordsWord, kFlightLogWord}});
     for (const traj::MissionFormat* one : traj::mission_formats()) {
       if (!one->is_flown) metres.formats.push_back(one->format.word);
     }
@@ -65,10 +68,11 @@ void DroneFileOptions::add_to(CLI::App& parser) {
   app = &parser;
   std::vector<std::string> words = drone_file_words("skyway-check");
   words.emplace_back(kFlightLogWord);
+  words.emplace_back(kRecordsWord);
   parser
       .add_option("--file-format", format,
-                  "FILE is a drone file, to be checked as it will be flown; auto: found out from "
-                  "its beginning")
+                  "what FILE is: records, or a drone file, to be checked as it will be flown; auto "
+                  "(default): found out from its beginning")
       ->check(CLI::IsMember(words));
   parser.add_flag_callback(
       "--paths-csv", [this] { format = traj::kPathsCsv.format.word; },
@@ -79,6 +83,22 @@ void DroneFileOptions::add_to(CLI::App& parser) {
   add_mission_to(parser);
   autopilot.add_to(parser);
   autopilot.add_tracking_to(parser);
+}
+
+void DroneFileOptions::settle(InputFile& file) {
+  const bool insists = format == kRecordsWord;
+  if (insists) format.clear();
+  if (insists || !(format.empty() || format == kAuto)) return;
+  const geom::Format* own = nullptr;
+  const geom::Format* drone = nullptr;
+  file.head_until([&](std::string_view head) {
+    own = geom::recognise(head, own_formats());
+    drone = own ? nullptr : geom::recognise(head, drone_formats());
+    return own || drone;
+  });
+  if (own == &kFlightLog) format = kFlightLogWord;
+  if (own == &kTrajectories || own == &kPaths) format.clear();
+  if (drone) format = kAuto;
 }
 
 void DroneFileOptions::require_used(std::string_view of_format, std::string_view because) const {
@@ -120,7 +140,7 @@ std::vector<traj::FileFlight> read_drone_file(const std::string& text, const std
     throw geom::InputError(
         source,
         {.says =
-             "this is a flight log: skyway-check --file-format flight-log holds it against a map"});
+             "this is a flight log: skyway-check holds it against a map"});
   }
   const traj::MissionFormat* const named = traj::mission_format_named(options.format);
   const traj::MissionFormat& format = named ? *named : traj::recognised_mission_format(text);

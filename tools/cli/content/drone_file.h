@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/file/files.h"
 #include "cli/option/autopilot_option.h"
 #include "cli/option/format_options.h"
 #include "traj/mission/read_mission.h"
@@ -18,8 +19,11 @@ inline constexpr const char* kAuto = "auto";
 // Of --file-format: a flight log, which is no drone file.
 inline constexpr const char* kFlightLogWord = "flight-log";
 
+// Of --file-format: streams of trajectories and paths.
+inline constexpr const char* kRecordsWord = "records";
+
 struct DroneFileOptions {
-  std::string format = {};  // a word of traj::mission_formats() or kAuto; empty: not asked for
+  std::string format = {};  // a word of traj::mission_formats() or kAuto; empty: records
   traj::MissionReading reading = {};
   AutopilotOptions autopilot = {};
   // Where it is set, read_drone_file() refuses what the format of the file does not use.
@@ -31,6 +35,11 @@ struct DroneFileOptions {
   void add_to(CLI::App& parser);
   void add_mission_to(CLI::App& app);  // all of missions
   void add_heights_to(CLI::App& app);  // --return-height and --terrain of missions
+
+  // Where the options say no format, or auto: finds out by the beginning of `file`, which stays to
+  // be read, whether it is records, a flight log or a drone file, and sets `format`. A file that
+  // begins as none of these is left to the reader of records, or to auto, which refuse it.
+  void settle(InputFile& file);
 
   // Throws UsageError for an option of the app that this format does not use (format_options.h):
   // one of drone files, "records" or "flight-log".

@@ -33,6 +33,10 @@ class InputFile {
 
   std::string read_all();
 
+  // The beginning, which stays to be read: more of it is waited for until `enough` says so, up to
+  // geom::kFormatHead bytes or its end. Only before anything else was read.
+  std::string_view head_until(const std::function<bool(std::string_view)>& enough);
+
  private:
   struct Source;  // a stream from a descriptor
   std::string name_;

@@ -13,6 +13,7 @@
 #include "cli/answer/exit.h"
 #include "files.h"
 #include "geom/base/error.h"
+#include "geom/base/format.h"
 #include "geom/map/box_map_file.h"
 #include "geom/text/record_lines.h"
 #include "io_failure.h"
@@ -36,18 +37,38 @@ struct InputFile::Source {
     Buffer(int descriptor, std::string name)
         : descriptor_(descriptor), name_(std::move(name)), buffer_(1 << 16) {}
 
+    std::string_view head_until(const std::function<bool(std::string_view)>& enough) {
+      if (gptr() == nullptr) underflow();
+      const auto head = [&] {
+        return std::string_view(gptr(), std::min<std::size_t>(geom::kFormatHead, egptr() - gptr()));
+      };
+      while (!enough(head()) && head().size() < geom::kFormatHead) {
+        const std::size_t n = fill(egptr());
+        if (n == 0) break;
+        setg(eback(), gptr(), egptr() + n);
+      }
+      return head();
+    }
+
    private:
     int_type underflow() override {
       if (gptr() < egptr()) return traits_type::to_int_type(*gptr());
-      ssize_t n = -1;
-      do {
-        n = ::read(descriptor_, buffer_.data(), buffer_.size());
-      } while (n < 0 && errno == EINTR);
-      if (n < 0) cannot_read(name_, errno);
+      const std::size_t n = fill(buffer_.data());
       setg(buffer_.data(), buffer_.data(), buffer_.data() + n);
       if (n == 0) return traits_type::eof();
       note_head();
       return traits_type::to_int_type(*gptr());
+    }
+
+    // Reads to a place of the buffer, once; 0 at the end.
+    std::size_t fill(char* place) {
+      const auto room = static_cast<std::size_t>(buffer_.data() + buffer_.size() - place);
+      ssize_t n = -1;
+      do {
+        n = ::read(descriptor_, place, room);
+      } while (n < 0 && errno == EINTR);
+      if (n < 0) cannot_read(name_, errno);
+      return static_cast<std::size_t>(n);
     }
 
     void note_head() {
@@ -97,6 +118,10 @@ void InputFile::for_each_line(const std::function<void(const std::string&, std::
 }
 
 std::string InputFile::read_all() { return {std::istreambuf_iterator<char>(stream()), {}}; }
+
+std::string_view InputFile::head_until(const std::function<bool(std::string_view)>& enough) {
+  return source_->buffer.head_until(enough);
+}
 
 std::shared_ptr<std::istream> open_input(const std::string& path) {
   const auto file = std::make_shared<InputFile>(path);

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 
 #include "geom/text/excerpt.h"
 #include "io_failure.h"
@@ -42,6 +43,13 @@ void end_as_by_sigpipe() {
   if (!prepared) return;
   signal(SIGPIPE, SIG_DFL);
   raise(SIGPIPE);
+}
+
+bool takes_colour(int descriptor) {
+  const char* const no = std::getenv("NO_COLOR");
+  const char* const terminal = std::getenv("TERM");
+  if ((no && *no) || !terminal || std::string_view(terminal) == "dumb") return false;
+  return isatty(descriptor) != 0;
 }
 
 std::string shown_message(std::string_view message) {

@@ -24,6 +24,10 @@ void end_as_by_sigpipe();
 // lines there, or steer it.
 std::string shown_message(std::string_view message);
 
+// Whether text that goes to a descriptor may have colours: it is a terminal that knows them, and
+// the environment does not say NO_COLOR (no-color.org).
+bool takes_colour(int descriptor);
+
 // Writes to stderr as much as it takes. Never throws.
 void say(std::string_view text) noexcept;
 

@@ -34,6 +34,7 @@ struct Place {
   std::string_view option;  // as the parser names it
   std::vector<const Format*> takes;
   std::vector<std::string_view> unless = {};  // options that make it take other files, too
+  bool drone_files = false;                   // whether it takes these and flight logs, too
 };
 
 const std::array kPlaces = {
@@ -52,7 +53,8 @@ const std::array kPlaces = {
     Place{"skyway-check",
           "file",
           {&known::kTrajectories, &known::kPaths},
-          {"--file-format", "--paths-csv"}},
+          {"--file-format", "--paths-csv"},
+          true},
     Place{"skyway-fleet", "file", {&known::kTrajectories}},
     Place{"skyway-fleet", "--alternatives", {&known::kTrajectories}},
     Place{"skyway-fleet", "--others", {&known::kTrajectories}},
@@ -82,8 +84,7 @@ struct Step {
 
 constexpr std::array kSteps = {
     Step{nullptr, &known::kShard, "skyway-join puts the shards of a run together"},
-    Step{nullptr, &known::kFlightLog,
-         "skyway-check --file-format flight-log holds it against a map"},
+    Step{nullptr, &known::kFlightLog, "skyway-check holds it against a map"},
     Step{nullptr, &known::kPx4Log, "skyway-import-flight makes a flight log of it"},
     Step{&known::kPaths, &known::kQueries, "skyway-plan makes paths of them"},
     Step{&known::kPaths, &known::kTrajectories,
@@ -165,6 +166,7 @@ const Place* place_of_stdin(const CLI::App& app) {
 }
 
 bool takes(const Place& place, const Format& format) {
+  if (place.drone_files && (known::is_drone_format(&format) || &format == &known::kFlightLog)) return true;
   return std::find(place.takes.begin(), place.takes.end(), &format) != place.takes.end();
 }
 
@@ -221,9 +223,6 @@ std::string map_of(const Format& format) {
 std::string made_of(const Place& place, const Format& format) {
   const Format* const wanted = place.takes.front();
   if (wanted == &known::kBoxMap && &format != &known::kShard) return map_of(format);
-  if (known::is_drone_format(&format) && !place.unless.empty()) {
-    return fmt::format("{} auto reads it", place.unless.front());
-  }
   if (known::is_drone_format(&format) &&
       (wanted == &known::kPaths || wanted == &known::kTrajectories)) {
     return "skyway-import-trajectory makes records of it";
@@ -252,6 +251,7 @@ std::string refusal_here(const CLI::App& app, const Place& place, const Found& f
   const Format& format = found.format;
   std::vector<std::string_view> taken;
   for (const Format* one : place.takes) taken.push_back(one->what);
+  if (place.drone_files) taken.emplace_back("a drone file");
   std::string advice = swapped(app, place, found.path, format);
   if (advice.empty()) advice = made_of(place, format);
   if (advice.empty() && !format.readers.empty()) {

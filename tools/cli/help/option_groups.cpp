@@ -29,14 +29,15 @@ constexpr Group kGroups[] = {
      "cloud--noise --unknown --allow-skipped --collisions-only import-trajectory--gap=METRES "
      "--resolution=METRES --scale=FACTOR --all --verify --join"},
     {"Output",
-     "-o --output --report --json --degrees --profile --profile-step=LENGTH --junit --certificate "
+     "-o --output check--report=WORD --report --json --degrees --profile --profile-step=LENGTH --junit --certificate "
      "--tree --corridor-file --python --table --show --unchecked --no-clearance --resample=METRES "
      "export--rate=HERTZ export--axes --wpml-version --aircraft --hover --turns=METRES "
      "--volumes --buffer=METRES --speed=METRES/S export--tolerance=METRES --title=WORDS --depth "
      "--depth-unit=METRES --ids render--poses fly--tube --log-rate=HERTZ"},
     {"Vehicle and room",
      "--vehicle --margin=METRES --spare=METRES --memory=BYTES --navigation --tracking"},
-    {"Limits", "--override"},  // and those of geom::kLimitKinds
+    {"Limits",
+     "--override --require-clearance=METRES --sampled --drop-refused"},  // and geom::kLimitKinds
     {"Drone and place",
      "--start --origin --geoid=METRES --ground=METRES --takeoff-height=METRES --heading=DEGREES "
      "--acceptance=METRES --braking=METRES/S2 --return-height=METRES --terrain=METRES "

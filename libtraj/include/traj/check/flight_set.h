@@ -46,6 +46,10 @@ class FlightSet {
   void add(const TrajectoryRecord& record, const geom::CollisionScene* scene,
            std::string_view source, std::size_t line);
 
+  // Leaves out flights by their ids: those that were refused alone, and every record without a
+  // trajectory, which must be among them. The task names them (TogetherTask::dropped).
+  void drop(std::vector<std::string> ids);
+
   // All pairs by the rule; near ones once more in exact numbers if `exact`. The same for any number
   // of threads.
   TogetherResult check(bool exact = false, const geom::Execution& run = {});

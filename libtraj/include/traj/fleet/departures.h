@@ -27,6 +27,7 @@ namespace traj {
 struct DepartureOptions {
   int improve = 0;         // rounds
   std::uint64_t seed = 0;  // of their order
+  int rescue = 0;          // rounds more, as long as a flight is refused
 };
 
 // The departure of one number.
@@ -40,6 +41,7 @@ struct Departures {
   std::vector<Departure> of;  // by number
   double before = 0;          // seconds: the sum of all delays before the rounds
   std::size_t moved = 0;      // flights that rounds moved forward
+  std::size_t rescued = 0;    // flights that would be refused without rounds of rescue
 };
 
 // Settled flights go first, each at its own time. Then come the others, by priority, then by
@@ -50,11 +52,13 @@ struct Departures {
 // A round of improvement tries each waiting flight, in an order drawn from the seed. It lets this
 // flight go first, then others that wait for the flights in its way, then the flights in its way;
 // none of these has a higher priority. The change is kept if the sum of their delays becomes less
-// and none is refused for it.
+// and none is refused for it. A round of rescue does the same; its rounds end when none is
+// refused, or nothing may be moved for those that are.
 //
 // Numbers are 0, 1, 2, …; the flights of a number stand in the order in which they are tried.
+// The progress of `run` counts rounds.
 Departures choose_departures(std::span<const FleetFlight> flights, const FleetConflicts& conflicts,
-                             const DepartureOptions& options = {});
+                             const DepartureOptions& options = {}, const geom::Execution& run = {});
 
 // How many pairs would be too near if each departed at its earliest, by its first way.
 std::size_t conflicts_as_asked(std::span<const FleetFlight> flights,

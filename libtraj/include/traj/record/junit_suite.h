@@ -22,6 +22,7 @@ namespace traj {
 // failure with the reason, and where.
 class JUnitSuite {
  public:
+  // One that was dropped is skipped.
   void add(const ReportRecord& report, const geom::BoxMap& map);
   // Of the check together: a case for all pairs that passed, and one for each that failed.
   void add(const TogetherResult& result, const TogetherTask& task, std::size_t left_out);
@@ -33,10 +34,12 @@ class JUnitSuite {
  private:
   // Passed where there is no failure.
   void add_case(const std::string& name, std::string_view failure, const std::string& message);
+  void add_skipped(const std::string& name, const std::string& message);
 
   std::string cases_;
   std::size_t tests_ = 0;
   std::size_t failures_ = 0;
+  std::size_t skipped_ = 0;
 };
 
 }  // namespace traj

@@ -25,9 +25,10 @@ struct TogetherTask {
   std::vector<std::string> ids;  // of the flights
   TogetherRule rule;
   std::optional<std::string> epoch;
-  std::optional<std::string> map;  // its hash
-  std::string flights_hash;        // see flights_hash.h
-  bool overridden = false;         // a vehicle or margin is smaller than its record says
+  std::optional<std::string> map;    // its hash
+  std::string flights_hash;          // see flights_hash.h
+  std::vector<std::string> dropped;  // ids of flights that were refused alone, and are no part
+  bool overridden = false;           // a vehicle or margin is smaller than its record says
 };
 
 // The record of a pair that is refused; ends with a newline.

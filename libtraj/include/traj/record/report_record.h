@@ -53,6 +53,7 @@ struct ReportRecord {
   geom::FlightTime time = {};
   // Whether timed boxes counted by their times; else as always there.
   bool by_time = false;
+  bool dropped = false;  // refused and left out: the verdict on the others does not count it
 };
 
 // Adds to `report`, the result for `record`, its bounds. Refuses an accepted record

@@ -23,6 +23,13 @@ class JsonFields;
 
 namespace traj {
 
+// What is accepted of a flight log that touches nothing, of which no proof is possible. By default
+// nothing is.
+struct SampledRule {
+  bool sampled = false;             // that nothing was touched, at samples and straight between
+  std::optional<double> clearance;  // m: that so much was kept there
+};
+
 struct SampledReport {
   std::string id;
   SampledFlight result;
@@ -31,9 +38,17 @@ struct SampledReport {
   std::optional<FlownTube> plan;
   bool tube = false;  // whether the plan came with one
   geom::Provenance provenance;
+  SampledRule rule = {};
 };
 
-// Ends with a newline. Never "ok":true. `map` gives the source id of the obstacle that was hit.
+// Why a log on `map` is refused; empty where its rule accepts it. A touch is always refused:
+// "collision", "bounds"; so is a "gap" of more than kLongestGap. Without a rule the rest is
+// "sampled". With one, "cut" is a log that broke off; "clearance" one that came nearer than asked,
+// "clearance_not_measured" one that was never in the air.
+std::string_view reason_of(const SampledReport& report, const geom::BoxMap& map);
+
+// Ends with a newline. "ok" only where the rule accepts it; "verdict" then says what was looked at:
+// "sampled" or "clearance". `map` gives the source id of the obstacle that was hit.
 std::string to_json_line(const SampledReport& report, const geom::BoxMap& map);
 
 // The tube of a report of skyway-fly --runs.

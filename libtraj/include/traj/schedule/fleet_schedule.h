@@ -33,6 +33,9 @@ struct FleetProof {
   std::optional<MovingSummary> moving;
 };
 
+// What becomes of records that do not depart.
+enum class Refused { kept, left_out };
+
 class FleetSchedule {
  public:
   FleetSchedule(const ScheduleParts& made, const Spacing& spacing, Parked parked);
@@ -44,14 +47,20 @@ class FleetSchedule {
   // Two of others that come too near each other, which no departure here can change: in a sentence.
   std::string too_near(const RefusedPair& pair) const;
 
-  // A record for each of the stream, in order: with its departure; refused; or as it came.
-  std::vector<std::string> records() const;
+  // A record for each of the stream, in order: with its departure; refused; or as it came. Those
+  // that do not depart are left out if `refused` says so.
+  std::vector<std::string> records(Refused refused = Refused::kept) const;
 
-  std::size_t refused() const;  // flights without a departure
-  std::size_t without() const;  // records of the stream that are no flights
+  std::size_t refused() const;    // flights without a departure
+  std::size_t without() const;    // records of the stream that are no flights
+  std::size_t departing() const;  // the other flights of the stream
+
+  // Whether the answer is yes: all depart or, where the others are left out, any. What departs is
+  // proved to keep apart from all else; how flights of others are among themselves does not count.
+  bool ok(Refused refused = Refused::kept) const;
 
   // One line of JSON.
-  std::string report(const FleetProof& proof, int rounds) const;
+  std::string report(const FleetProof& proof, int rounds, Refused refused = Refused::kept) const;
 
   // Of a flight that is refused, in a sentence.
   std::string why_refused(std::uint32_t number) const;
@@ -63,6 +72,7 @@ class FleetSchedule {
   std::pair<std::string, std::string> ids(const RefusedPair& pair) const;
   Barred barred(std::uint32_t number) const;  // all its ways
   std::vector<std::string> blocked_ids(const Departure& departure, bool settled) const;
+  std::vector<std::string> dropped_ids() const;                // of all records that do not depart
   std::string refusal(const FleetStream::Entry& entry) const;  // JSON
   void add_proof(const FleetProof& proof, geom::JsonLine& line) const;
 

@@ -1,3 +1,5 @@
+#include "traj/mission/dji/dji_wpml.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,7 +10,6 @@
 #include "geom/text/beginning.h"
 #include "mission/formats/mavlink_format.h"
 #include "mission/formats/text_head.h"
-#include "traj/mission/dji/dji_wpml.h"
 #include "traj/mission/formats/mission_formats.h"
 
 namespace traj {
@@ -88,6 +89,19 @@ bool turn_less(const WrittenMission&, const CheckResult& result, MissionTask& ta
   return true;
 }
 
+// DJI does not say how its aircraft speed up and stop.
+MissionEstimate least_time(const DjiMission& mission, const geom::Polyline& legs) {
+  const DjiWayline& wayline = mission.waylines.front();
+  MissionEstimate out{.autopilot = "dji", .at_least = true};
+  for (std::size_t i = 1; i < legs.size(); ++i) {
+    const DjiWaypoint& from = wayline.waypoints[i - 1];
+    out.time.seconds += (legs[i] - legs[i - 1]).norm() / from.speed;
+    ++out.time.waypoints;
+    out.time.rests += wayline.waypoints[i].turn == DjiTurn::stop;
+  }
+  return out;
+}
+
 WrittenMission write(const MissionTask& task, const geom::Polyline& legs) {
   DjiOptions options = task.options.dji;
   options.home = task.ground;
@@ -105,6 +119,7 @@ WrittenMission write(const MissionTask& task, const geom::Polyline& legs) {
   WrittenMission written{text.str()};
   written.reading.placement = placement_to_read(task, over);
   if (task.options.turns) written.note = note_of_stops(mission);
+  written.estimates.push_back(least_time(mission, legs));
   return written;
 }
 

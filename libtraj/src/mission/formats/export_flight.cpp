@@ -26,6 +26,11 @@ Segment straight(const Vec3& from, const Vec3& to) {
   return segment;
 }
 
+std::string holds_none(std::string_view what, std::string_view status, const std::string& why) {
+  return fmt::format("the record holds no {} (status {}){}", what, status,
+                     why.empty() ? "" : ": " + why);
+}
+
 }  // namespace
 
 ExportFlight export_flight(const TrajectoryRecord& record) {
@@ -55,12 +60,12 @@ ExportFlight export_flight(const geom::PathRecord& record) {
 
 std::string why_not_flown(const TrajectoryRecord& record) {
   if (record.status == TrajectoryStatus::solved) return {};
-  return fmt::format("the record holds no trajectory (status {})", name(record.status));
+  return holds_none("trajectory", name(record.status), record.message);
 }
 
 std::string why_not_flown(const geom::PathRecord& record) {
   if (record.status == geom::PathStatus::found) return {};
-  return fmt::format("the record holds no path (status {})", name(record.status));
+  return holds_none("path", name(record.status), record.message);
 }
 
 }  // namespace traj

@@ -297,6 +297,8 @@ WrittenMission write(const MissionTask& task, const geom::Polyline& legs) {
   WrittenMission written{text.str(), python.str(), csv.str()};
   written.reading.placement = placement;
   written.reading.start = geom::to_enu(task.frame.axes, ground);
+  const std::size_t count = flight.legs.size();
+  written.estimates.push_back({"tello", {tello_times(flight, start).back(), count, count}});
   return written;
 }
 

@@ -32,7 +32,7 @@ struct ExportFlight {
 ExportFlight export_flight(const TrajectoryRecord& record);
 ExportFlight export_flight(const geom::PathRecord& record);
 
-// Why a record holds nothing to fly, by its status. Empty: it does.
+// Why a record holds nothing to fly, by its status and message. Empty: it does.
 std::string why_not_flown(const TrajectoryRecord& record);
 std::string why_not_flown(const geom::PathRecord& record);
 

@@ -57,10 +57,11 @@ struct MissionTask {
   bool checked = true;
 };
 
-// How long an autopilot will take.
+// How long a vehicle will take.
 struct MissionEstimate {
   std::string autopilot;
   MissionTime time;
+  bool at_least = false;  // what it takes to speed up, stop and turn is not known, and comes on top
 };
 
 struct WrittenMission {
@@ -70,7 +71,7 @@ struct WrittenMission {
   std::vector<std::size_t> points = {};         // of a mission: the path's point of each item
   MissionReading reading = {};                  // what it takes to read the text again
   std::string note = {};                        // what is not as asked; empty: all is
-  std::vector<MissionEstimate> estimates = {};  // of a mission: one an autopilot that may fly it
+  std::vector<MissionEstimate> estimates = {};  // of legs: one a vehicle that may fly them
   std::optional<CrazyflieMemory> memory = {};   // of a Crazyflie
 };
 

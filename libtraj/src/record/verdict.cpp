@@ -1,0 +1,415 @@
+#include "traj/record/verdict.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geom/text/excerpt.h"
+#include "geom/vehicle/shown_limit.h"
+#include "traj/proof/domain.h"
+
+namespace traj {
+namespace {
+
+// "horizontal speed" of "horizontal_speed".
+std::string spoken(std::string_view quantity) {
+  std::string out(quantity);
+  std::replace(out.begin(), out.end(), '_', ' ');
+  return out;
+}
+
+// "obstacle 7 (town hall)".
+std::string obstacle(const geom::BoxMap& map, std::optional<std::size_t> box) {
+  if (!box) return "an obstacle";
+  const std::string& label = map.labels()[map.label()[*box]];
+  return fmt::format("obstacle {}{}", map.ids()[*box],
+                     label.empty() ? "" : fmt::format(" ({})", geom::excerpt(label, 40)));
+}
+
+// The side of the bounds that a vehicle of such half sizes is furthest beyond.
+std::string side(const geom::BoxMap& map, const Vec3& place, const Vec3& half) {
+  const geom::Aabb& bounds = map.spec().bounds;
+  constexpr std::string_view kLow[] = {"lower x", "lower y", "floor"};
+  constexpr std::string_view kHigh[] = {"upper x", "upper y", "ceiling"};
+  std::string out;
+  double furthest = -INFINITY;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto take = [&](double beyond, std::string_view name, double at) {
+      if (!(beyond > furthest)) return;
+      furthest = beyond;
+      out = fmt::format("{} of {:.6g} m", name, at);
+    };
+    take(bounds.min[axis] - place[axis] + half[axis], kLow[axis], bounds.min[axis]);
+    take(place[axis] + half[axis] - bounds.max[axis], kHigh[axis], bounds.max[axis]);
+  }
+  return out;
+}
+
+// "8.765 m/s", with as many digits as tell it from its limit.
+std::string shown_beside(const LimitKind& kind, double value, const std::optional<double>& limit) {
+  const double in_unit = value / kind.in_unit;
+  const std::string text = fmt::format("{:.4g}", in_unit);
+  const bool same = limit && text == fmt::format("{:.4g}", *limit / kind.in_unit);
+  return fmt::format("{} {}", same ? fmt::format("{:.12g}", in_unit) : text, kind.unit);
+}
+
+std::string limit_fault(const LimitKind& kind, const CheckResult& result, const Limits& limits) {
+  const auto& held = limits[kind.limit];
+  return fmt::format("the {} is {}, above its limit{}", spoken(kind.quantity),
+                     shown_beside(kind, result.worst, held),
+                     held ? " of " + geom::shown(kind, *held) : "");
+}
+
+std::string landing_fault(double worst) {
+  if (worst == 0) return "the vehicle lands on an edge, not on level ground";
+  return fmt::format("the vehicle lands on ground {:.3g} m {} than the file says", std::abs(worst),
+                     worst > 0 ? "lower" : "higher");
+}
+
+// What is wrong with numbers that no check can judge.
+std::string domain_fault(const CheckResult& result) {
+  switch (result.reason) {
+    case Reason::duration:
+      return fmt::format("a segment lasts {:g} s; expected from {:g} s to {:g} s for all together",
+                         result.worst, kShortestSegment, kLongestTrajectory);
+    case Reason::coordinates:
+      return fmt::format("a coordinate is {:g}; expected at most {:g} m", result.worst,
+                         geom::kLargestCoordinate);
+    case Reason::limits:
+      return fmt::format(
+          "a limit is {:g}; expected from {:g} to {:g}, a tilt below 90 degrees, and a thrust "
+          "above "
+          "{:g} m/s2",
+          result.worst, kLeastLimit, kLargestLimit, kGravity);
+    default:
+      return "the vehicle's half sizes or margin are no lengths that can be judged";
+  }
+}
+
+std::string claim_fault(double worst) {
+  if (worst == 0) return "the record claims a bound on its length or duration that cannot be";
+  return fmt::format(
+      "the record claims that nothing is shorter than {:.6g}, and it is shorter itself", worst);
+}
+
+std::string when(const ReportRecord& report) {
+  const CheckResult& result = report.result;
+  if (result.part) {
+    return fmt::format(" at item {} ({})", result.part->item, name(result.part->manoeuvre));
+  }
+  if (report.checked == "path") return fmt::format(" on leg {:.0f}", std::floor(result.time));
+  return fmt::format(" at {:.6g} s", result.time);
+}
+
+// Where the vehicle may be that fails, if that is not its way itself.
+std::string strayed(const CheckResult& result) {
+  if (result.strayed.empty()) return "";
+  return result.part ? fmt::format(" where {} may stray from its way", result.strayed)
+                     : fmt::format(" with what is allowed for {}", result.strayed);
+}
+
+// Whether the time and place of a refusal tell where to look.
+bool has_place(const CheckResult& result) {
+  const bool unknown =
+      std::any_of(kLimitKinds.begin(), kLimitKinds.end(),
+                  [&](const LimitKind& kind) { return result.reason == unmeasured(kind.limit); });
+  const bool no_height = result.reason == Reason::return_home && result.worst == 0;
+  return !unknown && !no_height && result.reason != Reason::duration_bound;
+}
+
+HeldTo held_of(const geom::Provenance& provenance, const Limits& limits = {}) {
+  if (!provenance.vehicle) return {limits};
+  const double margin = provenance.margin.value_or(0);
+  return {limits, provenance.vehicle->half + Vec3::Constant(margin)};
+}
+
+std::string refused_in_words(const ReportRecord& report, const geom::BoxMap& map) {
+  const CheckResult& result = report.result;
+  const bool told = result.reason == Reason::takeoff && !report.detail.empty();
+  std::string out = told ? geom::excerpt(report.detail, 400)
+                         : fault_in_words(result, map, held_of(report.provenance, report.limits));
+  if (result.looked && has_place(result)) {
+    const Vec3& p = result.place;
+    out += fmt::format("{}{}, near [{:.3f}, {:.3f}, {:.3f}]", when(report), strayed(result), p.x(),
+                       p.y(), p.z());
+  }
+  if (!told && !report.detail.empty()) out += ": " + geom::excerpt(report.detail, 400);
+  const std::string advice = advice_for(report);
+  return advice.empty() ? out : out + "; " + advice;
+}
+
+std::string clearance_in_words(const CheckResult& result, bool path) {
+  if (!result.clearance) return "";
+  return fmt::format(", at least {:.4g} m from every obstacle ({} {:.4g}{})",
+                     result.clearance->value, path ? "on leg" : "at",
+                     path ? std::floor(result.clearance->time) : result.clearance->time,
+                     path ? "" : " s");
+}
+
+std::string accepted_in_words(const ReportRecord& report) {
+  const CheckResult& result = report.result;
+  const bool path = report.checked == "path";
+  std::string out = result.duration > 0 ? fmt::format("clear for {:.4g} s", result.duration)
+                                        : std::string("clear on every leg");
+  out += clearance_in_words(result, path);
+  if (report.exact) out += "; proved again in exact numbers";
+  std::vector<std::string> missing;
+  for (const Limit limit : not_measured(result, report.limits)) {
+    missing.push_back(spoken(kind_of(limit).quantity));
+  }
+  if (!missing.empty()) {
+    out += fmt::format("; not measured: {}", fmt::join(missing, ", "));
+  }
+  if (!report.overridden.empty()) {
+    out += fmt::format("; looser than its record says (--override): {}",
+                       fmt::join(report.overridden, ", "));
+  }
+  return out;
+}
+
+// What to do where a place is not free.
+std::string place_advice(const ReportRecord& report) {
+  const CheckResult& result = report.result;
+  if (result.reason == Reason::bounds) {
+    return "stay inside, or make the map with wider bounds (--ceiling, --pad or --bounds)";
+  }
+  if (!result.strayed.empty()) {
+    return fmt::format("keep {:g} m more room there, or fly slower",
+                       std::ceil(100 * result.worst) / 100);
+  }
+  if (result.part) return "move the item, or fly higher";
+  return report.checked == "path" ? "plan it anew on this map (skyway-plan or skyway-replan)"
+                                  : "solve it anew on this map (skyway-plan, then skyway-traj)";
+}
+
+std::string limit_advice(const CheckResult& result) {
+  for (const LimitKind& kind : kLimitKinds) {
+    if (result.reason == broken(kind.limit)) {
+      return fmt::format("fly slower, or solve it with {}", kind.option);
+    }
+    if (result.reason == unmeasured(kind.limit)) {
+      return fmt::format("leave {} out, or check a record that says it", kind.option);
+    }
+  }
+  return "";
+}
+
+// How much of a log no sample says anything of.
+std::string unmeasured_in_words(const SampledReport& report) {
+  const SampledFlight& result = report.result;
+  std::string out = fmt::format("what it did between samples, up to {:.3g} s, was not measured",
+                                result.longest_step);
+  if (result.on_ground > 0) {
+    out +=
+        fmt::format(", and {:.4g} s that it stood before and after are left out", result.on_ground);
+  }
+  return out;
+}
+
+// A log that touches nothing.
+std::string sampled_in_words(const SampledReport& report) {
+  const SampledFlight& result = report.result;
+  const std::string kept =
+      result.clearance ? fmt::format("came no nearer than {:.4g} m to an obstacle (at {:.6g} s)",
+                                     result.clearance->value, result.clearance->time)
+                       : std::string("touched nothing");
+  return fmt::format("at its {} samples and straight between them the vehicle {}; {}",
+                     report.samples, kept, unmeasured_in_words(report));
+}
+
+std::string touch_in_words(const SampledReport& report, const geom::BoxMap& map) {
+  const SampledFlight& result = report.result;
+  const geom::Vec3& p = result.place;
+  const std::string where =
+      fmt::format("{:.6g} s, near [{:.3f}, {:.3f}, {:.3f}]", result.time, p.x(), p.y(), p.z());
+  if (result.gap) {
+    return fmt::format("there is no sample for {:.4g} s after {}: what it did then is not known",
+                       result.worst, where);
+  }
+  CheckResult touch;
+  touch.reason = result.reason;
+  touch.worst = result.worst;
+  touch.box = result.box;
+  touch.place = result.place;
+  return fmt::format("{} at {}", fault_in_words(touch, map, held_of(report.provenance)), where);
+}
+
+// Where a simulated flight, or the tube of its runs, is not clear.
+std::string flown_in_words(const FlightPathCheck& check, const FlightReport& report,
+                           const geom::BoxMap& map) {
+  CheckResult fault;
+  fault.reason = check.reason;
+  fault.place = check.place;
+  fault.box = check.box;
+  const geom::Vec3& p = check.place;
+  return fmt::format("{} at {:.6g} s, near [{:.3f}, {:.3f}, {:.3f}]",
+                     fault_in_words(fault, map, held_of(report.provenance)), check.time, p.x(),
+                     p.y(), p.z());
+}
+
+}  // namespace
+
+std::string fault_in_words(const CheckResult& result, const geom::BoxMap& map, const HeldTo& held) {
+  for (const LimitKind& kind : kLimitKinds) {
+    if (result.reason == broken(kind.limit)) return limit_fault(kind, result, held.limits);
+    if (result.reason == unmeasured(kind.limit)) {
+      return fmt::format("the {} is unknown, and it has a limit", spoken(kind.quantity));
+    }
+  }
+  const double worst = result.worst;
+  switch (result.reason) {
+    case Reason::none:
+      return "nothing is refused";
+    case Reason::no_path:
+      return "there is no path to fly";
+    case Reason::infeasible:
+      return "there is no trajectory: none was found that keeps clear and inside the limits";
+    case Reason::stopped:
+      return "there is no trajectory: the solver was stopped";
+    case Reason::discontinuous:
+      return fmt::format(
+          "two segments do not meet: their step in position, velocity, acceleration or yaw is "
+          "{:.3g}",
+          worst);
+    case Reason::bounds:
+      return fmt::format("the vehicle leaves the map's bounds{} ({})",
+                         worst > 0 ? fmt::format(" by {:.3g} m", worst) : "",
+                         side(map, result.place, held.half));
+    case Reason::collision:
+      return worst > 0 ? fmt::format("the vehicle reaches {:.3g} m into {}", worst,
+                                     obstacle(map, result.box))
+                       : "the vehicle touches " + obstacle(map, result.box);
+    case Reason::undecided:
+      return "it could not be shown that the way is clear";
+    case Reason::takeoff:
+      return fmt::format("the vehicle begins {:.3g} m above the ground that it takes off from",
+                         worst);
+    case Reason::landing:
+      return landing_fault(worst);
+    case Reason::ceiling:
+      return fmt::format("the vehicle is {:.3g} m high, above its ceiling", worst);
+    case Reason::range:
+      return fmt::format("the vehicle is {:.3g} m from home, out of its range", worst);
+    case Reason::endurance:
+      return fmt::format("the vehicle flies for {:.4g} s, longer than it can", worst);
+    case Reason::return_home:
+      return worst == 0 ? "the height of the return to home is not known"
+                        : fmt::format("a rally point's ground is {:.3g} m {} than home's",
+                                      std::abs(worst), worst > 0 ? "higher" : "lower");
+    case Reason::end:
+      return fmt::format("the vehicle ends {:.3g} m from the end of the trajectory", worst);
+    case Reason::fence:
+      return worst > 0 ? fmt::format("the vehicle leaves the fence by {:.3g} m", worst)
+                       : "the vehicle touches the fence";
+    case Reason::duration_bound:
+      return claim_fault(worst);
+    default:
+      return domain_fault(result);
+  }
+}
+
+std::string advice_for(const ReportRecord& report) {
+  const CheckResult& result = report.result;
+  if (result.ok) return "";
+  switch (result.reason) {
+    case Reason::bounds:
+    case Reason::collision:
+    case Reason::undecided:
+      return place_advice(report);
+    case Reason::no_path:
+    case Reason::infeasible:
+    case Reason::stopped:
+      return "look at what the tool before said";
+    case Reason::takeoff:
+      return "begin higher, or say where the ground is (--ground)";
+    case Reason::landing:
+      return "end over level ground";
+    case Reason::ceiling:
+      return "fly lower";
+    case Reason::range:
+    case Reason::endurance:
+      return "cut the flight into shorter ones";
+    case Reason::return_home:
+      return "say at which height it returns (--return-height)";
+    case Reason::fence:
+      return "move the item inside, or make the fence larger";
+    default:
+      return limit_advice(result);
+  }
+}
+
+std::string_view verdict_word(const ReportRecord& report) {
+  if (accepted(report)) return "ok";
+  return report.result.ok ? "exact" : name(report.result.reason);
+}
+
+std::string in_words(const ReportRecord& report, const geom::BoxMap& map) {
+  if (accepted(report)) return accepted_in_words(report);
+  if (!report.result.ok) return refused_in_words(report, map);
+  return fmt::format(
+      "the exact check refuses what the other accepts ({}); one of them is wrong: "
+      "please report it",
+      name(report.exact->reason));
+}
+
+std::string in_words(const SampledReport& report, const geom::BoxMap& map) {
+  const std::string_view reason = reason_of(report, map);
+  const std::string sampled = sampled_in_words(report);
+  if (reason.empty()) return sampled;
+  if (verdict(report.result) != "sampled") return touch_in_words(report, map);
+  if (reason == "cut") {
+    return "the log broke off, so what followed is not known; until then, " + sampled;
+  }
+  if (reason == "clearance") {
+    return fmt::format("{}; expected at least {:.4g} m", sampled, *report.rule.clearance);
+  }
+  if (reason == "clearance_not_measured") {
+    return "the vehicle was never in the air, so no clearance was measured";
+  }
+  return sampled +
+         "; that proves nothing: accept it with --sampled, or say what is enough with "
+         "--require-clearance";
+}
+
+std::string in_words(const FlightReport& report, const geom::BoxMap* map) {
+  const std::string_view slower = "fly slower, or find other gains (--tune)";
+  if (report.status != TrajectoryStatus::solved) return "there is no trajectory to fly";
+  if (report.lost) {
+    return fmt::format("the vehicle loses its way at {:.4g} s; {}", *report.lost, slower);
+  }
+  if (report.check && !report.check->clear && map) {
+    return fmt::format("{}; {}", flown_in_words(*report.check, report, *map), slower);
+  }
+  if (report.tube.lost > 0) {
+    return fmt::format("{} of the runs lose their way; {}", report.tube.lost, slower);
+  }
+  if (report.tube_check && !report.tube_check->clear && map) {
+    return fmt::format("within the tube of its runs, {}; {}",
+                       flown_in_words(*report.tube_check, report, *map), slower);
+  }
+  return fmt::format("flown in {:.4g} s", report.duration);
+}
+
+std::string in_words(const TrajectoryRecord& record) {
+  const std::string_view kind =
+      record.status == TrajectoryStatus::no_path ? "there is no path to fly" : "no trajectory";
+  const std::string why =
+      record.message.empty() ? "" : fmt::format(": {}", geom::excerpt(record.message, 400));
+  switch (record.status) {
+    case TrajectoryStatus::solved:
+      return "solved";
+    case TrajectoryStatus::no_path:
+      return fmt::format("{}{}", kind, why);
+    case TrajectoryStatus::stopped:
+      return fmt::format("{}: the solver was stopped{}", kind, why);
+    case TrajectoryStatus::infeasible:
+      break;
+  }
+  return fmt::format(
+      "{}{}; plan with more --margin, allow more (--vmax, --amax), or try --solver stop-and-go",
+      kind, why.empty() ? ": none was found that keeps clear and inside the limits" : why);
+}
+
+}  // namespace traj

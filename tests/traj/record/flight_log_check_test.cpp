@@ -1,0 +1,88 @@
+#include "traj/record/flight_log_check.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "support/refusal.h"
+#include "traj/record/verdict.h"
+#include "traj/scenes.h"
+
+namespace traj {
+namespace {
+
+const geom::CollisionScene& scene() {
+  static const auto out = testing::scene_of({{Vec3(10, -5, 0), Vec3(11, 5, 20)}});
+  return out;
+}
+
+// One that stays where it is.
+TrajectoryRecord plan(const std::string& id, double seconds) {
+  TrajectoryRecord out;
+  out.id = id;
+  out.status = TrajectoryStatus::solved;
+  Segment& segment = out.trajectory.segments.emplace_back();
+  segment.duration = seconds;
+  segment.point.fill({0, 0, 5});
+  return out;
+}
+
+FlightLog log(const std::string& id) {
+  FlightLog out{.id = id};
+  out.samples.push_back({.time = 0, .position = {0, 0, 5}});
+  out.samples.push_back({.time = 1, .position = {0, 3, 5}});
+  return out;
+}
+
+std::string tube(const std::string& id, int periods) {
+  std::string radius = "1";
+  for (int i = 1; i < periods; ++i) radius += ",1";
+  return R"({"type":"flight","id":")" + id +
+         R"(","ok":true,"monte_carlo":{"tube":{"period":1,"radius":[)" + radius + "]}}}\n";
+}
+
+TEST(FlightLogCheck, HoldsALogAgainstThePlanOfItsId) {
+  FlightLogCheck check;
+  EXPECT_FALSE(check.judge(log("a"), scene()).plan);
+  check.add_plan(plan("a", 1));
+  EXPECT_TRUE(check.has_plan(log("other"))) << "there is one alone";
+  check.add_plan(plan("b", 1));
+  EXPECT_TRUE(check.has_plan(log("b")));
+  EXPECT_FALSE(check.has_plan(log("other")));
+  const SampledReport report = check.judge(log("a"), scene());
+  ASSERT_TRUE(report.plan);
+  EXPECT_NEAR(report.plan->furthest.value, 3, 1e-9);
+}
+
+TEST(FlightLogCheck, LeavesOutPlansWithoutATrajectory) {
+  FlightLogCheck check;
+  TrajectoryRecord none = plan("a", 1);
+  none.status = TrajectoryStatus::no_path;
+  check.add_plan(none);
+  EXPECT_FALSE(check.has_plans());
+}
+
+TEST(FlightLogCheck, TakesTubesThatAreAsLongAsTheirPlan) {
+  FlightLogCheck check;
+  check.add_plan(plan("a", 3));
+  std::istringstream whole(tube("a", 3));
+  check.read_tubes(whole, "tubes");
+  EXPECT_TRUE(check.judge(log("a"), scene()).tube);
+  std::istringstream shorter(tube("a", 2));
+  EXPECT_THROW(check.read_tubes(shorter, "tubes"), geom::InputError);
+  std::istringstream other(tube("b", 3));
+  EXPECT_THROW(check.read_tubes(other, "tubes"), geom::InputError);
+}
+
+TEST(FlightLogCheck, JudgesByItsRule) {
+  const SampledReport strict = FlightLogCheck().judge(log("a"), scene());
+  EXPECT_EQ(reason_of(strict, scene().map()), "sampled");
+  EXPECT_NE(in_words(strict, scene().map()).find("--require-clearance"), std::string::npos);
+  const SampledReport lenient = FlightLogCheck({.sampled = true}).judge(log("a"), scene());
+  EXPECT_EQ(reason_of(lenient, scene().map()), "");
+  EXPECT_NE(in_words(lenient, scene().map()).find("up to 1 s, was not measured"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace traj
