@@ -9,7 +9,6 @@ import hashlib
 import pathlib
 import re
 import subprocess
-import sys
 import sysconfig
 import tempfile
 import tomllib
@@ -26,11 +25,12 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     _build(build, [part for part in settings.get("parts", "").split(",") if part])
     project = tomllib.loads((_SOURCE / "pyproject.toml").read_text())["project"]
     version = re.search(r"project\(skyway VERSION ([0-9.]+)", (_SOURCE / "CMakeLists.txt").read_text())[1]
-    python = f"cp{sys.version_info[0]}{sys.version_info[1]}"
+    files = _files(build)
+    python = "cp" + re.search(r"_skyway\.cpython-(\d+)-", " ".join(files))[1]  # which CMake found
     tag = f"{python}-{python}-{re.sub('[-.]', '_', sysconfig.get_platform())}"
     name = f"{project['name']}-{version}-{tag}.whl"
     _write(pathlib.Path(wheel_directory) / name, f"{project['name']}-{version}.dist-info", {
-        **_files(build), "METADATA": _metadata(project, version).encode(),
+        **files, "METADATA": _metadata(project, version).encode(),
         "WHEEL": f"Wheel-Version: 1.0\nGenerator: skyway\nRoot-Is-Purelib: false\nTag: {tag}\n".encode()})
     return name
 
