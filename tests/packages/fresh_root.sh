@@ -80,7 +80,7 @@ in_root skyway-mesh -q /srv/roof.obj -o /srv/roof.boxmap
 
 echo "== python3-skyway"
 install "$(deb python3-skyway)"
-for example in read query plan solve check; do
+for example in read query plan solve check researcher lab; do
   in_root python3 "/usr/share/doc/python3-skyway/examples/$example.py" /srv/out
 done
 

@@ -7,19 +7,6 @@
 #include "geom/base/error.h"
 
 namespace binding {
-namespace {
-
-std::string described(const py::handle& object) {
-  if (!py::isinstance<py::array>(object)) return py::str(py::type::of(object).attr("__name__"));
-  const auto array = py::reinterpret_borrow<py::array>(object);
-  const bool contiguous = (array.flags() & py::array::c_style) != 0;
-  return fmt::format("{}{} {}", contiguous ? "" : "non-contiguous ",
-                     std::string(py::str(array.dtype())),
-                     std::string(py::str(array.attr("shape"))));
-}
-
-}  // namespace
-
 std::span<const double> rows(const py::handle& object, py::ssize_t columns, const char* what) {
   if (py::isinstance<py::array_t<double, py::array::c_style>>(object)) {
     const auto array = py::reinterpret_borrow<py::array>(object);
@@ -28,9 +15,7 @@ std::span<const double> rows(const py::handle& object, py::ssize_t columns, cons
       return {static_cast<const double*>(array.data()), static_cast<std::size_t>(array.size())};
     }
   }
-  throw py::type_error(
-      fmt::format("{}: expected a C-contiguous float64 array of shape (n{}), found {}", what,
-                  columns ? fmt::format(", {}", columns) : ",", described(object)));
+  throw py::type_error(std::string(what) + ": expected a C-contiguous float64 array");
 }
 
 void require_coordinates(std::span<const double> values, std::size_t columns, const char* what,
@@ -52,17 +37,10 @@ std::span<const geom::Vec3> points(const py::handle& object, const char* what) {
 }
 
 geom::Vec3 vec3(const py::handle& object, const char* what) {
-  geom::Vec3 out;
-  try {
-    const auto values = object.cast<std::vector<double>>();
-    if (values.size() != 3) throw py::cast_error("");
-    out = {values[0], values[1], values[2]};
-  } catch (const py::cast_error&) {
-    throw py::type_error(fmt::format("{}: expected three numbers, found {}", what,
-                                     std::string(py::str(py::repr(object)))));
-  }
-  require_coordinates({out.data(), 3}, 3, what);
-  return out;
+  const std::span<const double> values = rows(object, 0, what);
+  if (values.size() != 3) throw py::type_error(std::string(what) + ": expected three numbers");
+  require_coordinates(values, 3, what);
+  return geom::Vec3(values.data());
 }
 
 py::tuple tuple_of(const geom::Vec3& v) { return py::make_tuple(v[0], v[1], v[2]); }

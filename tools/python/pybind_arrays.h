@@ -57,8 +57,8 @@ py::array owning(std::vector<T> values, Shape shape = {}) {
   return py::array(py::dtype::of<U>(), shape, kept->data(), owner);
 }
 
-// The rows of a C-contiguous float64 array of shape (n, columns), as they stand. TypeError says
-// what was expected and what stood there. `columns` 0: of shape (n).
+// The rows of a C-contiguous float64 array of shape (n, columns), as they stand. The package's
+// arguments.py makes such arrays of what users give; TypeError for others. `columns` 0: (n).
 std::span<const double> rows(const py::handle& object, py::ssize_t columns, const char* what);
 
 // InputError where a coordinate of the rows `first` and on is not finite or beyond
@@ -69,7 +69,7 @@ void require_coordinates(std::span<const double> values, std::size_t columns, co
 // Both, and as points.
 std::span<const geom::Vec3> points(const py::handle& object, const char* what);
 
-geom::Vec3 vec3(const py::handle& object, const char* what);  // three numbers
+geom::Vec3 vec3(const py::handle& object, const char* what);  // of an array (3)
 py::tuple tuple_of(const geom::Vec3& v);
 
 py::object from_json(std::string_view text);  // None where it is empty

@@ -1,10 +1,14 @@
 // Box maps, lattices and roadmaps as NumPy arrays over the mapped files.
 
+#include <array>
+
 #include "cli/file/files.h"
 #include "geom/map/box_map_file.h"
+#include "geom/map/map_draft.h"
 #include "plan/lattice/lattice_file.h"
 #include "plan/roadmap/roadmap_file.h"
 #include "pybind_arrays.h"
+#include "pybind_keywords.h"
 #include "pybind_module.h"
 
 namespace binding {
@@ -24,6 +28,50 @@ py::array boxes(const py::object& self) {
   static_assert(sizeof(geom::Aabb) == 6 * sizeof(double));
   return view(reinterpret_cast<const double*>(all.data()),
               {static_cast<py::ssize_t>(all.size()), 6}, self);
+}
+
+// Boxes (n, 6), with ids and labels where they are given, one a box.
+geom::BoxTable table_of(const py::object& boxes,
+                        const std::optional<std::vector<std::uint64_t>>& ids,
+                        const std::optional<std::vector<std::string>>& labels) {
+  const std::span<const double> values = rows(boxes, 6, "boxes");
+  require_coordinates(values, 6, "boxes");
+  geom::BoxTable out;
+  for (std::size_t i = 0; i < values.size() / 6; ++i) {
+    const double* const at = values.data() + 6 * i;
+    out.add({geom::Vec3(at), geom::Vec3(at + 3)}, ids ? (*ids)[i] : i,
+            labels ? out.label_of((*labels)[i]) : 0);
+  }
+  return out;
+}
+
+// The box around them. There is one at least.
+geom::Aabb around(const std::vector<geom::Aabb>& boxes) {
+  geom::Aabb out = boxes.front();
+  for (const geom::Aabb& box : boxes) out = {out.min.cwiseMin(box.min), out.max.cwiseMax(box.max)};
+  return out;
+}
+
+geom::BoxMap make_box_map(const py::object& boxes,
+                          const std::optional<std::vector<std::uint64_t>>& ids,
+                          const std::optional<std::vector<std::string>>& labels,
+                          const py::dict& keywords) {
+  const Keywords given(keywords);
+  geom::MapDraft draft{.source = "BoxMap", .history = R"([{"tool":"python"}])"};
+  draft.table = table_of(boxes, ids, labels);
+  draft.options = given.map();
+  draft.frame.axes = *geom::value_of(geom::kAxesWords, given.word("frame", {"enu", "neu"}));
+  draft.frame.origin = given.origin("origin");
+  const auto& bounds = draft.options.bounds;
+  if (draft.table.boxes.empty() && bounds) {
+    return geom::BoxMap({draft.frame, *bounds, "option", draft.options.tile_size, draft.history},
+                        draft.table);
+  }
+  if (draft.frame.origin && !draft.table.boxes.empty()) {
+    const geom::Aabb box = around(draft.table.boxes);
+    require_metres(draft.frame, std::array{box.min, box.max}, "boxes");
+  }
+  return geom::make_map(std::move(draft)).map;
 }
 
 void bind_map(py::module_& module) {
@@ -60,6 +108,7 @@ void bind_map(py::module_& module) {
       .def_property_readonly("tile_size", [](const BoxMap& map) { return map.spec().tile_size; })
       .def_property_readonly("history",
                              [](const BoxMap& map) { return from_json(map.spec().history); });
+  module.def("make_box_map", &make_box_map);
   module.def(
       "read_box_map",
       [](const std::string& path) { return cli::open_map(path, geom::Verified::extents); },

@@ -120,6 +120,16 @@ bool set(FileOption option, const Given& given, ExportOptions& out) {
   }
 }
 
+// The same, and TypeError for a value of another type.
+bool obeyed(FileOption option, const Given& given, ExportOptions& out) {
+  try {
+    return set(option, given, out);
+  } catch (const py::cast_error&) {
+    throw py::type_error(fmt::format("{}: found {}, which is of another type", given.word,
+                                     std::string(py::str(py::repr(given.value)))));
+  }
+}
+
 // Which formats take heed of an option.
 std::string formats_with(FileOption option) {
   std::vector<std::string_view> words;
@@ -136,7 +146,7 @@ ExportOptions options_from(const py::kwargs& asked, const traj::MissionFormat& f
     std::string word = name;
     std::replace(word.begin(), word.end(), '_', '-');
     const auto option = geom::value_of(traj::kFileOptionWords, word);
-    if (!option || !set(*option, {name, value}, out)) {
+    if (!option || !obeyed(*option, {name, value}, out)) {
       throw py::type_error("export_mission() has no keyword \"" + name + '"');
     }
     if (format.writes_with.has(*option)) continue;
@@ -182,7 +192,7 @@ Exported exported_from(const py::object& what) {
 py::dict refused(const traj::MissionExport& made) {
   py::dict out;
   out["ok"] = false;
-  out["message"] = made.refusal;
+  out["message"] = in_python(made.refusal);
   if (made.result.reason == traj::Reason::none) return out;
   out["reason"] = std::string(name(made.result.reason));
   out["place"] = tuple_of(made.result.place);
@@ -193,32 +203,43 @@ py::dict accepted(const traj::MissionExport& made) {
   py::dict out;
   out["ok"] = true;
   out["bytes"] = py::bytes(made.written->text);
-  out["warnings"] = made.warnings;
+  py::list warnings;
+  for (const std::string& warning : made.warnings) warnings.append(in_python(warning));
+  out["warnings"] = warnings;
   if (!made.written->python.empty()) out["python"] = made.written->python;
   if (!made.written->csv.empty()) out["table"] = made.written->csv;
   return out;
 }
 
 traj::MissionExport export_one(const Scene& self, Exported one, const traj::MissionFormat& format,
-                               const ExportOptions& options) {
+                               const ExportOptions& options, double spare) {
   const py::gil_scoped_release released;
   const std::string& id = one.flight.id;
   self.scene.map().require(geom::Verified::contents, on_threads(0));
   agreed_vehicle(one.provenance, self.scene, geom::Differences::refused, id);
+  if (!(spare <= self.scene.margin())) {
+    throw geom::UsageError(fmt::format("spare: expected at most the margin, {} m, found {}",
+                                       self.scene.margin(), spare));
+  }
   for (const traj::Segment& s : one.flight.trajectory.segments) {
     require_metres(self.scene.map().spec().frame, s.point, id);
   }
-  return traj::export_mission(self.scene, one.flight, format, options);
+  if (spare == 0) return traj::export_mission(self.scene, one.flight, format, options);
+  const geom::CollisionScene smaller(self.scene.map(), self.scene.vehicle(),
+                                     self.scene.margin() - spare);
+  return traj::export_mission(smaller, one.flight, format, options);
 }
 
 // The file as skyway-export writes it.
 py::dict export_mission(const Scene& self, const py::object& what, const std::string& format,
-                        const py::kwargs& asked) {
+                        double spare, const py::kwargs& asked) {
+  if (!(spare >= 0))
+    throw geom::UsageError(fmt::format("spare: expected metres >= 0, found {}", spare));
   const traj::MissionFormat& to = format_from(format);
   const ExportOptions options = options_from(asked, to);
   Exported one = exported_from(what);
   if (!one.missing.empty()) return refused({{}, one.missing});
-  const traj::MissionExport made = export_one(self, std::move(one), to, options);
+  const traj::MissionExport made = export_one(self, std::move(one), to, options, spare);
   return made.written ? accepted(made) : refused(made);
 }
 
@@ -226,7 +247,7 @@ py::dict export_mission(const Scene& self, const py::object& what, const std::st
 
 void bind_missions(py::module_& module) {
   module.def("export_mission", &export_mission, py::arg("scene"), py::arg("what"),
-             py::arg("format"));
+             py::arg("format"), py::kw_only(), py::arg("spare") = 0.0);
 }
 
 }  // namespace binding

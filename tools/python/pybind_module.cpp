@@ -82,18 +82,28 @@ void set_fields(py::object& to, std::string_view source, std::size_t line,
   to.attr("advice") = text_of(fault.advice);
 }
 
+// A class of the package's errors.py, which lives as long as the process.
+PyObject* error_class(const char* name) {
+  return py::object(py::module_::import("skyway.errors").attr(name)).release().ptr();
+}
+
+geom::Fault in_python(geom::Fault fault) {
+  for (std::string* text :
+       {&fault.item, &fault.key, &fault.says, &fault.expected, &fault.found, &fault.advice}) {
+    *text = in_python(*text);
+  }
+  return fault;
+}
+
 void bind_input_error(py::module_& module) {
-  static PyObject* const type = PyErr_NewException("skyway._skyway.InputError", PyExc_ValueError,
-                                                   nullptr);  // lives as long as the process
-  module.add_object("InputError", type);
-  auto shared = py::reinterpret_borrow<py::object>(type);
-  set_fields(shared, "", 0, {});
+  static PyObject* const type = error_class("InputError");
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const geom::InputError& error) {
-      py::object instance = py::reinterpret_borrow<py::object>(type)(text_of(error.what()));
-      set_fields(instance, error.source(), error.line(), error.fault());
+      py::object instance =
+          py::reinterpret_borrow<py::object>(type)(text_of(in_python(error.what())));
+      set_fields(instance, error.source(), error.line(), in_python(error.fault()));
       PyErr_SetObject(type, instance.ptr());
     }
   });
@@ -113,10 +123,12 @@ void bind_input_error(py::module_& module) {
 
 void bind_errors(py::module_& module) {
   bind_input_error(module);
-  py::register_exception<geom::UsageError>(module, "UsageError", PyExc_ValueError);
+  static PyObject* const usage_error = error_class("UsageError");
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
+    } catch (const geom::UsageError& error) {
+      PyErr_SetObject(usage_error, text_of(in_python(error.what())).ptr());
     } catch (const std::system_error& error) {
       // With a number, OSError becomes FileNotFoundError and the like.
       const py::tuple arguments = py::make_tuple(error.code().value(), error.what());
@@ -130,6 +142,7 @@ void bind_errors(py::module_& module) {
 PYBIND11_MODULE(_skyway, module) {
   module.attr("__version__") = SKYWAY_VERSION;
   module.attr("_limited_quantities") = binding::limited_quantities();
+  module.def("in_python", [](const std::string& text) { return binding::in_python(text); });
   binding::bind_errors(module);
   binding::bind_artefacts(module);
   binding::bind_import_boxes(module);
@@ -139,4 +152,5 @@ PYBIND11_MODULE(_skyway, module) {
   binding::bind_planner(module);
   binding::bind_trajectories(module);
   binding::bind_missions(module);
+  binding::bind_pictures(module);
 }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "cli/option/vehicle_option.h"
 #include "geom/base/execution.h"
@@ -28,6 +29,7 @@ void bind_flight_log(py::module_& module);
 void bind_planner(py::module_& module);
 void bind_trajectories(py::module_& module);  // solve and check
 void bind_missions(py::module_& module);      // export_mission
+void bind_pictures(py::module_& module);      // SVG, and the page of skyway-view
 
 // A scene: the class that Python sees.
 struct Scene {
@@ -35,6 +37,9 @@ struct Scene {
 };
 
 geom::Execution on_threads(unsigned threads);  // 0: all
+
+// A message of the libraries with the keyword arguments of Python in place of a tool's options.
+std::string in_python(std::string_view message);
 
 // The scene's vehicle, with the limits that hold for the record. A record of another map must not
 // be taken for one of this: throws geom::InputError(id, …).

@@ -1,6 +1,7 @@
 // Planning, one query or a batch.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 
@@ -18,7 +19,10 @@ using geom::Vec3;
 
 plan::Method method_from(const std::string& word) {
   if (const auto method = geom::value_of(plan::kMethodWords, word)) return *method;
-  throw py::value_error("method: there is no \"" + word + "\"");
+  std::vector<std::string_view> words;
+  for (const auto& one : plan::kMethodWords) words.push_back(one.word);
+  throw py::value_error(
+      fmt::format("method: expected one of {}, found \"{}\"", fmt::join(words, ", "), word));
 }
 
 plan::Quality quality_from(const std::string& word) {

@@ -9,6 +9,7 @@
 #include "pybind_arrays.h"
 #include "pybind_module.h"
 #include "traj/record/trajectory_record.h"
+#include "traj/solve/min_snap.h"
 
 namespace binding {
 namespace {
@@ -34,14 +35,14 @@ void write_records(const std::string& path, const std::vector<const Record*>& re
   out.commit();
 }
 
-// Pickled as the line that it is in a file.
+// The line that it is in a file.
 template <class Class, class Parse>
 void def_line(Class& of, const Parse& parse) {
   using Record = typename Class::type;
-  const auto from_line = [parse](const std::string& line) { return parse(line, "record", 0); };
   of.def("to_json", [](const Record& record) { return to_json_line(record); });
-  of.def_static("from_json", from_line, py::arg("line"));
-  of.def(py::pickle([](const Record& record) { return to_json_line(record); }, from_line));
+  of.def_static("from_json", [parse](const std::string& line, const std::string& source) {
+    return parse(line, source, 0);
+  });
 }
 
 // (n, 3); NaN where nothing is given.
@@ -112,7 +113,7 @@ py::tuple sample(const TrajectoryRecord& record, const py::object& times) {
   }
   std::array<std::vector<double>, 4> out;
   for (const double t : at) {
-    if (std::isnan(t)) throw py::value_error("sample: a time is not a number");
+    if (std::isnan(t)) throw py::value_error("times: expected numbers, found nan");
     const traj::State state = traj::evaluate(record.trajectory, t);
     const Vec3* parts[] = {&state.position, &state.velocity, &state.acceleration, &state.jerk};
     for (int i = 0; i < 4; ++i) out[i].insert(out[i].end(), parts[i]->data(), parts[i]->data() + 3);
@@ -165,6 +166,12 @@ void bind_trajectory(py::module_& module) {
         return read_records<TrajectoryRecord>(file, traj::parse_trajectory_record);
       },
       py::arg("path"));
+  // Through points (n, 3), with the seconds between them.
+  module.def("min_snap", [](const py::object& at, const py::object& seconds) {
+    traj::TrajectoryRecord record;
+    record.trajectory = traj::min_snap(points(at, "points"), rows(seconds, 0, "times"));
+    return record;
+  });
   module.def("write_trajectories", &write_records<TrajectoryRecord>, py::arg("path"),
              py::arg("records"));
 }

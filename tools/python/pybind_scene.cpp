@@ -1,9 +1,10 @@
 // The collision structure: batches of queries on NumPy arrays as they stand, without the GIL.
 
+#include <fmt/format.h>
+
 #include <array>
 #include <limits>
 #include <string>
-#include <variant>
 
 #include "geom/base/parallel.h"
 #include "pybind_arrays.h"
@@ -124,26 +125,21 @@ void bind_vehicle(py::module_& module) {
       .def_readonly("name", &Vehicle::name)
       .def_property_readonly("half", [](const Vehicle& v) { return tuple_of(v.half); })
       .def_property_readonly("limits", [](const Vehicle& v) { return dict_of(v.limits); })
-      .def("__eq__", [](const Vehicle& a, const Vehicle& b) { return a == b; })
-      .def("__repr__", [](const Vehicle& v) {
-        return "Vehicle(" + v.name + ", " + std::string(py::str(tuple_of(v.half))) + ")";
-      });
+      .def("__eq__", [](const Vehicle& a, const Vehicle& b) { return a == b; });
+  module.def("vehicle", [](const std::string& word) { return cli::parse_vehicle(word).vehicle; });
 }
 
 }  // namespace
 
 void bind_scene(py::module_& module) {
   bind_vehicle(module);
-  using NamedOrMade = std::variant<geom::Vehicle, std::string>;
   py::class_<Scene>(module, "CollisionScene")
-      .def(py::init([](const geom::BoxMap& map, const NamedOrMade& vehicle, double margin) {
+      .def(py::init([](const geom::BoxMap& map, const geom::Vehicle& vehicle, double margin) {
              if (!(margin >= 0 && margin <= 1e6)) {
-               throw py::value_error("margin: must be within 0 to 1e6 m");
+               throw py::value_error(
+                   fmt::format("margin: must be within 0 to 1e6 m, found {}", margin));
              }
-             const auto* const word = std::get_if<std::string>(&vehicle);
-             return Scene{geom::CollisionScene(
-                 map, word ? cli::parse_vehicle(*word).vehicle : std::get<geom::Vehicle>(vehicle),
-                 margin)};
+             return Scene{geom::CollisionScene(map, vehicle, margin)};
            }),
            py::arg("map"), py::arg("vehicle"), py::arg("margin") = 0.0)
       .def_property_readonly("map", [](const Scene& s) { return s.scene.map(); })

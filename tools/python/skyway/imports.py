@@ -1,15 +1,21 @@
 """Box maps from what others write: tables and worlds, footprints and city models, point clouds, models of triangles."""
 
+from __future__ import annotations
+
 import importlib
-import os
 import warnings
+from typing import Any, Optional, Sequence, Union
+
+from numpy.typing import ArrayLike
 
 from . import _skyway
+from .arguments import File, array, file
+from .box_map import BoxMap
 
 _PACKAGES = {"_skyway_gis": "skyway-footprints", "_skyway_cloud": "skyway-cloud", "_skyway_mesh": "skyway-mesh"}
 
 
-def _part(name):
+def _part(name: str) -> Any:
     """A module that is there only where its package is installed."""
     try:
         return importlib.import_module(name)
@@ -18,19 +24,28 @@ def _part(name):
         raise ImportError(message, name=error.name) from None
 
 
-def _made(function, keywords):
-    path = os.fspath(keywords.pop("path"))
+def _made(function: Any, keywords: dict[str, Any]) -> BoxMap:
+    path = file("path", keywords.pop("path"))
+    if keywords["bounds"] is not None:
+        keywords["bounds"] = array("bounds", keywords["bounds"], (2, 3)).tolist()
     box_map, said = function(path, keywords)
     for text in said:
-        warnings.warn(text, stacklevel=3)
-    return box_map
+        warnings.warn(_skyway.in_python(text), stacklevel=3)
+    return BoxMap._of(box_map)
 
 
-def import_boxes(path, *, format="auto", frame=None, units="m", unknown="free", slack=0.1, collisions_only=False,
-                 without=(), model_path=(), allow_skipped=False, seal=None, floor=None, ceiling=None, pad=0.0,
-                 scale=1.0, bloat_percent=0.0, inflate=0.0, bounds=None, tile=100.0):
-    """A table, block text, world, voxel map or octree as a BoxMap, as skyway-import makes it."""
-    keywords = locals()
+def import_boxes(path: File, *, format: str = "auto", frame: Optional[str] = None, units: str = "m",
+                 unknown: str = "free", slack: float = 0.1, collisions_only: bool = False,
+                 without: Sequence[str] = (), model_path: Sequence[File] = (), allow_skipped: bool = False,
+                 seal: Optional[float] = None, floor: Optional[float] = None, ceiling: Optional[float] = None,
+                 pad: float = 0.0, scale: float = 1.0, bloat_percent: float = 0.0, inflate: float = 0.0,
+                 bounds: Optional[ArrayLike] = None, tile: float = 100.0) -> BoxMap:
+    """A table, block text, world, voxel map or octree, as skyway-import makes it.
+
+    The keyword arguments of this and of the other three are the options of the tool. A value out of its range is a
+    `UsageError`. What the tool warns of goes to `warnings`. `bounds` are two corners, lengths are metres.
+    """
+    keywords = dict(locals())
     try:
         reader = _part("_skyway_mesh")  # which reads meshes of COLLADA, too
     except ImportError:
@@ -38,29 +53,51 @@ def import_boxes(path, *, format="auto", frame=None, units="m", unknown="free", 
     return _made(reader.import_boxes, keywords)
 
 
-def import_footprints(path, *, format="auto", slack=0.5, height_attribute=None, storey=3.0, default_height=None,
-                      where=None, height_step=0.5, terrain=None, origin=None, height_units=None, axes=None,
-                      metres=False, allow_skipped=False, seal=None, floor=None, ceiling=None, pad=0.0, scale=1.0,
-                      bloat_percent=0.0, inflate=0.0, bounds=None, tile=100.0, threads=0):
-    """Footprints, a city model or a height model as a BoxMap, as skyway-footprints makes it."""
-    keywords = locals()
+def import_footprints(path: File, *, format: str = "auto", slack: float = 0.5,
+                      height_attribute: Optional[str] = None, storey: float = 3.0,
+                      default_height: Optional[float] = None, where: Optional[str] = None, height_step: float = 0.5,
+                      terrain: Optional[File] = None, origin: Optional[Sequence[float]] = None,
+                      height_units: Optional[str] = None, axes: Optional[str] = None, metres: bool = False,
+                      allow_skipped: bool = False, seal: Optional[float] = None, floor: Optional[float] = None,
+                      ceiling: Optional[float] = None, pad: float = 0.0, scale: float = 1.0,
+                      bloat_percent: float = 0.0, inflate: float = 0.0, bounds: Optional[ArrayLike] = None,
+                      tile: float = 100.0, threads: int = 0) -> BoxMap:
+    """GeoJSON, OpenStreetMap, CityJSON, CityGML, height models and more, as skyway-footprints makes it.
+
+    It needs the package skyway-footprints; an `ImportError` says so. `origin` is latitude and longitude in degrees.
+    """
+    keywords = {**locals(), "terrain": None if terrain is None else file("terrain", terrain)}
     return _made(_part("_skyway_gis").import_footprints, keywords)
 
 
-def import_cloud(path, *, format="auto", mode="columns", cell=1.0, step=0.5, gap=2.0, unknown="free", classes=(),
-                 noise="keep", outliers=None, voxel=None, resolution=None, ground="keep", ground_by="auto",
-                 ground_cell=2.0, ground_slope=0.1, ground_height=0.3, ground_step=1.0, ground_widest=200.0,
-                 tolerance=1.0, min_points=1, crs=None, units=None, vertical_units=None, origin=None,
-                 allow_skipped=False, seal=None, floor=None, ceiling=None, pad=0.0, scale=1.0, bloat_percent=0.0,
-                 inflate=0.0, bounds=None, tile=100.0, threads=0):
-    """A point cloud as a BoxMap, as skyway-cloud makes it."""
-    keywords = locals()
+def import_cloud(path: File, *, format: str = "auto", mode: str = "columns", cell: float = 1.0, step: float = 0.5,
+                 gap: float = 2.0, unknown: str = "free", classes: Sequence[Union[str, int]] = (),
+                 noise: str = "keep", outliers: Optional[tuple[int, float]] = None, voxel: Optional[float] = None,
+                 resolution: Optional[float] = None, ground: str = "keep", ground_by: str = "auto",
+                 ground_cell: float = 2.0, ground_slope: float = 0.1, ground_height: float = 0.3,
+                 ground_step: float = 1.0, ground_widest: float = 200.0, tolerance: float = 1.0, min_points: int = 1,
+                 crs: Optional[str] = None, units: Optional[str] = None, vertical_units: Optional[str] = None,
+                 origin: Union[None, str, Sequence[float]] = None, allow_skipped: bool = False,
+                 seal: Optional[float] = None, floor: Optional[float] = None, ceiling: Optional[float] = None,
+                 pad: float = 0.0, scale: float = 1.0, bloat_percent: float = 0.0, inflate: float = 0.0,
+                 bounds: Optional[ArrayLike] = None, tile: float = 100.0, threads: int = 0) -> BoxMap:
+    """LAS, LAZ, COPC, PCD, PLY or XYZ, as skyway-cloud makes it.
+
+    It needs the package skyway-cloud; an `ImportError` says so. `origin` is latitude, longitude and perhaps height, or "auto".
+    """
+    keywords = dict(locals())
     return _made(_part("_skyway_cloud").import_cloud, keywords)
 
 
-def import_model(path, *, format="auto", slack=0.25, solid=False, up=None, units=None, origin=None,
-                 allow_skipped=False, seal=None, floor=None, ceiling=None, pad=0.0, scale=1.0, bloat_percent=0.0,
-                 inflate=0.0, bounds=None, tile=100.0, threads=0):
-    """A model of triangles or 3D Tiles as a BoxMap, as skyway-mesh makes it."""
-    keywords = locals()
+def import_model(path: File, *, format: str = "auto", slack: float = 0.25, solid: bool = False,
+                 up: Optional[str] = None, units: Optional[str] = None, origin: Optional[Sequence[float]] = None,
+                 allow_skipped: bool = False, seal: Optional[float] = None, floor: Optional[float] = None,
+                 ceiling: Optional[float] = None, pad: float = 0.0, scale: float = 1.0, bloat_percent: float = 0.0,
+                 inflate: float = 0.0, bounds: Optional[ArrayLike] = None, tile: float = 100.0,
+                 threads: int = 0) -> BoxMap:
+    """OBJ, PLY, STL, glTF, COLLADA, 3DS or 3D Tiles, as skyway-mesh makes it.
+
+    It needs the package skyway-mesh; an `ImportError` says so. `origin` is latitude, longitude and perhaps height.
+    """
+    keywords = dict(locals())
     return _made(_part("_skyway_mesh").import_model, keywords)

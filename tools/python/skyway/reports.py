@@ -1,18 +1,22 @@
 """The reports of skyway-check as one NumPy table."""
 
+from __future__ import annotations
+
 import json
-import os
+from typing import Any
 
 import numpy
+from numpy.typing import NDArray
 
 from ._skyway import _limited_quantities, _refuse
+from .arguments import File, file
 
 _EXTREMES = ("clearance", *_limited_quantities)
 _NUMBERS = ("time", "worst", "duration", *(name for e in _EXTREMES for name in (e, e + "_time")))
 
 
-def _parse(line, source, number):
-    def refuse(**fault):
+def _parse(line: str, source: str, number: int) -> dict[str, Any]:
+    def refuse(**fault: str) -> None:
         _refuse(source=source, line=number, **fault)
 
     try:
@@ -38,16 +42,16 @@ def _parse(line, source, number):
     return record
 
 
-def read_reports(path):
+def read_reports(path: File) -> NDArray[Any]:
     """One row a report: id, checked, ok, exact_ok, reason, box, place, jumps and the numbers of docs/formats.md; NaN,
     "" or -1 where a report does not say."""
-    path = os.fspath(path)
-    with open(path, encoding="utf-8", errors="replace") as file:
-        records = [_parse(line, path, number) for number, line in enumerate(file, 1) if line.strip()]
+    source = file("path", path)
+    with open(source, encoding="utf-8", errors="replace") as lines:
+        records = [_parse(line, source, number) for number, line in enumerate(lines, 1) if line.strip()]
     if not records:
-        _refuse(source=path, expected="at least one record", found="none")
+        _refuse(source=source, expected="at least one record", found="none")
 
-    def width(key):
+    def width(key: str) -> str:
         return f"U{max(1, *(len(str(r.get(key, ''))) for r in records))}"
 
     table = numpy.zeros(len(records), dtype=[
