@@ -275,8 +275,10 @@ def check_fleet(folder):
     for pair, said in zip(shown, refused, strict=True):
         assert [f"f{i}" for i in pair["of"]] == said["ids"] and abs(pair["time"] - (said["time"] - 100)) < 1e-9
         assert abs(pair["distance"] - math.hypot(said["across"], said["up"])) < 1e-9
+        assert pair["across"] == said["across"] and pair["up"] == said["up"] and pair["asked"] == [1.5, 1.5]
     check = Page(folder / "fleet.html").meta["fleet"]["check"]
     assert not check["ok"] and check["refused"] == len(refused) and check["pairs"] == 40 * 39 // 2
+    assert check["asked"] == [1.5, 1.5]
     check_verdict(folder, lines[-1])
     few = [json.dumps({**r, "start": None, "earliest": None, "epoch": None}) for r in records[:5]]
     (folder / "few.jsonl").write_text("\n".join(few) + "\n")  # no times, few flights: as ever
@@ -327,7 +329,11 @@ def check_approaches(page, records, fleet):
         begin, end = max(a["start"], b["start"]), min(a["start"] + a["duration"], b["start"] + b["duration"])
         sampled = min(math.dist(at(a, t), at(b, t)) for t in (begin + (end - begin) * k / 300 for k in range(301)))
         assert pair["distance"] <= sampled + 2e-3, (pair, sampled)
-        assert all(nearest[i] <= pair["distance"] + 1e-5 for i in pair["of"])
+        assert abs(math.hypot(pair["across"], pair["up"]) - pair["distance"]) < 1e-9
+        assert all(nearest[3 * i] <= pair["distance"] + 1e-5 for i in pair["of"])
+    for i in range(len(records)):
+        distance, across, up = nearest[3 * i:3 * i + 3]
+        assert math.isnan(distance) or abs(math.hypot(across, up) - distance) < 1e-5 * max(1, distance)
 
 
 def main(folder):

@@ -430,7 +430,7 @@ def shows_fleet(browser, folder, page):
     assert abs(viewer.get("duration") - (last - 60)) < 1e-3 and viewer.get("fleet")["flights"] == 120
     assert viewer.get("drawCalls") < 25, viewer.get("drawCalls")
     viewer.figures("120 flights")
-    assert "06:31:00" in browser.run("return document.querySelector('.clock').textContent")
+    opens_when_busiest(viewer, flights)
     for share in (0.3, 0.6):
         browser.pointer(("move", *browser.centre("#scrub", share)), ("down",), ("up",))
         time = viewer.get("time") + 60
@@ -443,6 +443,43 @@ def shows_fleet(browser, folder, page):
     browser.click("#theme")
     browser.key("h")
     viewer.picture("fleet-dark")
+
+
+def airborne_at(flights, time):
+    return sum(f["start"] <= time <= f["start"] + f["duration"] for f in flights)
+
+
+def opens_when_busiest(viewer, flights):
+    """When the most flights are in the air, with a summary in front."""
+    most = max(airborne_at(flights, f["start"]) for f in flights)
+    viewer.until(f"skyway.fleet.airborne === {most}")
+    assert airborne_at(flights, viewer.get("time") + 60) == most
+    tab = "return document.querySelector('[role=tab][aria-selected=true]').textContent"
+    assert viewer.browser.run(tab) == "Summary"
+    viewer.picture("fleet-summary")
+    viewer.browser.click("#densest")
+    assert airborne_at(flights, viewer.get("time") + 60) == most
+
+
+def sets_refused_apart(browser, folder, page):
+    """Flights that were refused before are no failure of those that fly: a sentence in green, and they beside it."""
+    flights = [json.loads(line) for line in (folder / "fleet.flights").read_text().splitlines()]
+    above = [{**f, "id": f"g{i}", "start": 60 + 600 * i} for i, f in enumerate(flights[:3])]
+    refused = [{"type": "trajectory", "id": f"r{i}", "status": "infeasible", "message": "no way out", "segments": []} for i in range(2)]
+    (folder / "calm").write_text("".join(json.dumps(r) + "\n" for r in above + refused))
+    run("skyway-check", "-q", folder / "houses", folder / "calm", "--together", "--separation", "10,5", "--parked", "gone",
+        "-o", folder / "calm.report", yes=False)
+    together = json.loads((folder / "calm.report").read_text().splitlines()[-1])
+    assert not together["ok"] and together["refused"] == 0 and together["left_out"] == 2, together
+    run("skyway-view", folder / "houses", folder / "calm", folder / "calm.report", "-o", page)
+    viewer = Viewer(browser, page)
+    lines = browser.run("return [...document.querySelectorAll('.summary-panel .verdict-line')].map(l => [l.className, l.textContent])")
+    assert lines and all("good" in kind and "bad" not in kind for kind, _ in lines), lines
+    assert "All 3 pairs of 3 flights are proved apart." in lines[0][1], lines
+    assert "2 flights were refused before" in browser.run("return document.querySelector('.summary-panel .aside').textContent")
+    assert not browser.run("return [...document.querySelectorAll('#side .bad, .summary .bad')].some(e => e.textContent)")
+    assert "failed" not in browser.run("return document.getElementById('summary').textContent")
+    viewer.picture("fleet-calm")
 
 
 def finds_flights(viewer):
@@ -475,7 +512,10 @@ def jumps_to_pairs(viewer, report):
     """To the nearest that the check refused, by the key and by the list."""
     browser = viewer.browser
     refused = sorted((r for r in report if r["type"] == "pair"), key=lambda r: r["share"])
-    assert refused and "failed the check" in browser.run("return document.querySelector('#side').textContent")
+    said = browser.run("return document.querySelector('#side').textContent").replace("\u202f", " ")
+    assert refused and f"{len(refused)} of 7,140 pairs are not proved apart." in said, said
+    first = "{} m across, {} m up; 10 or 5 needed".format(*(f"{refused[0][k]:.2f}".rstrip("0").rstrip(".") for k in ("across", "up")))
+    assert first in said, (first, said)
     browser.run("document.activeElement.blur()")
     browser.key("j")
     pair = viewer.get("pair")
@@ -587,6 +627,7 @@ def main(folder):
         shows_large_city(browser, folder, page)
         shows_missions(browser, folder, page)
         shows_fleet(browser, folder, page)
+        sets_refused_apart(browser, folder, page)
         shows_buildings(browser, folder, page)
         shows_room(browser, folder, page)
         shows_labels(browser, folder, page)

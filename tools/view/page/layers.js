@@ -45,9 +45,9 @@ function boxLayer() {
     stage.redraw();
   };
   const by = element("div", { class: "row" }, element("span", {}, "Colour"), choice("Colour boxes by",
-    [["height", "height of the top"], ...(boxes.label ? [["label", "label"]] : [])], boxes.usualColour(), show));
+    [["height", "height of the top"], ...(boxes.map.label ? [["label", "label"]] : [])], boxes.usualColour(), show));
   show(boxes.usualColour());
-  return layer("Obstacles", count(boxes.count, "box", "boxes"), boxes.mesh, [boxes.label ? by : null, legend]);
+  return layer("Obstacles", count(boxes.count, "box", "boxes"), boxes.mesh, [boxes.map.label ? by : null, legend]);
 }
 
 function labelKeys(boxes) {
