@@ -13,12 +13,12 @@
 namespace view {
 namespace {
 
-constexpr std::size_t kFew = 20000;       // boxes that are drawn as they are
-constexpr std::size_t kATile = 600;       // boxes, about
-constexpr double kFinest = 1.0 / 96;      // the cell of the finest blocks, of a tile
-constexpr double kCoarser = 3;            // from each level to the next
-constexpr std::size_t kFewBlocks = 6000;  // no coarser level is needed
-constexpr double kStep = 0.001;           // metres: to this, corners of many boxes are rounded
+constexpr std::size_t kFew = 20000;   // boxes that are drawn as they are
+constexpr std::size_t kATile = 600;   // boxes, about
+constexpr double kFinest = 1.0 / 96;  // the cell of the finest blocks, of a tile
+constexpr double kCoarser = 2.2;      // from each level to the next
+constexpr double kFewer = 0.8;   // a level has so many of the blocks of the one before, at most
+constexpr double kStep = 0.001;  // metres: to this, corners of many boxes are rounded
 
 struct BoxArrays {
   std::vector<geom::Aabb> boxes;  // local, east, north, up
@@ -206,10 +206,13 @@ Json large_layer(BoxArrays arrays, Bundle& bundle) {
   out["traits"] = packed(traits, bundle);
   out["tiles"] = packed(tiles.first, bundle);
   out["far"] = Json::array();
+  double most = static_cast<double>(arrays.boxes.size());
   for (double cell = tiles.side * kFinest; cell < tiles.side; cell *= kCoarser) {
     const FarLevel level = far_level(arrays, tiles, cell);
+    const auto count = static_cast<double>(level.blocks.size());
+    if (count > kFewer * most && !out["far"].empty()) break;
     out["far"].push_back(far_json(level, bundle));
-    if (level.blocks.size() <= kFewBlocks) break;
+    most = count;
   }
   return out;
 }

@@ -149,24 +149,29 @@ std::vector<Vec2> simplified(const std::vector<Vec2>& ring, double tolerance) {
 std::vector<std::vector<Vec2>> joined_outlines(std::span<const Aabb> boxes,
                                                const OutlineDetail& detail) {
   if (boxes.empty()) return {};
-  const auto node = [&](double at) { return std::llround(at / detail.grid); };
+  // Outward, but by three quarters of a square at most, so that boxes that touch to rounding meet.
+  const auto lower = [&](double at) {
+    return static_cast<std::int64_t>(std::floor(at / detail.grid + 0.25));
+  };
+  const auto upper = [&](double at) {
+    return static_cast<std::int64_t>(std::ceil(at / detail.grid - 0.25));
+  };
   Node low{std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::max()};
   Node high{std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::min()};
   for (const Aabb& box : boxes) {
-    low = {std::min<std::int64_t>(low.x, node(box.min.x())),
-           std::min<std::int64_t>(low.y, node(box.min.y()))};
-    high = {std::max<std::int64_t>(high.x, node(box.max.x()) + 1),
-            std::max<std::int64_t>(high.y, node(box.max.y()) + 1)};
+    low = {std::min(low.x, lower(box.min.x())), std::min(low.y, lower(box.min.y()))};
+    high = {std::max({high.x, upper(box.max.x()), lower(box.min.x()) + 1}),
+            std::max({high.y, upper(box.max.y()), lower(box.min.y()) + 1})};
   }
   const std::int64_t columns = high.x - low.x;
   const std::int64_t rows = high.y - low.y;
   assert(columns <= (std::int64_t{1} << 34) / rows);
   Squares squares(columns, rows);
   for (const Aabb& box : boxes) {
-    const std::int64_t left = node(box.min.x()) - low.x;
-    const std::int64_t right = std::max<std::int64_t>(left + 1, node(box.max.x()) - low.x);
-    const std::int64_t bottom = node(box.min.y()) - low.y;
-    const std::int64_t top = std::max<std::int64_t>(bottom + 1, node(box.max.y()) - low.y);
+    const std::int64_t left = lower(box.min.x()) - low.x;
+    const std::int64_t right = std::max(left + 1, upper(box.max.x()) - low.x);
+    const std::int64_t bottom = lower(box.min.y()) - low.y;
+    const std::int64_t top = std::max(bottom + 1, upper(box.max.y()) - low.y);
     for (std::int64_t y = bottom; y < top; ++y) squares.set_row(left, right, y);
   }
   std::vector<std::vector<Vec2>> out;

@@ -56,10 +56,9 @@ Vec3 snap(const Trajectory& trajectory, double t) {
 }
 
 Smoothness smoothness(const Trajectory& trajectory) {
-  Smoothness out;
+  Smoothness out{0, snap_cost(trajectory)};
   for (const Segment& segment : trajectory.segments) {
     out.jerk += squared_integral(jerk_points(segment), segment.duration);
-    out.snap += squared_integral(snap_points(segment), segment.duration);
   }
   return out;
 }

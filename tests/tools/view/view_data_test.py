@@ -336,6 +336,38 @@ def check_approaches(page, records, fleet):
         assert math.isnan(distance) or abs(math.hypot(across, up) - distance) < 1e-5 * max(1, distance)
 
 
+def check_levels(folder):
+    """Of many boxes: every box is in the page, to the millimetre, and blocks of each level hold the boxes of their tile."""
+    random.seed(8)
+    rows = []
+    for house in range(700):
+        x, y, top = random.uniform(-900, 900), random.uniform(-900, 900), random.uniform(4, 40)
+        rows += [(x + 0.8 * k, y + random.random(), 0, x + 0.8 * (k + 1), y + 12 + random.random(), top) for k in range(33)]
+    table = "min_x_m,min_y_m,min_z_m,max_x_m,max_y_m,max_z_m,label\n" + "".join(",".join(map(str, r)) + ",\n" for r in rows)
+    (folder / "many.csv").write_text(table)
+    run("skyway-import", "-q", folder / "many.csv", "-o", folder / "many")
+    run("skyway-view", folder / "many", "-o", folder / "many.html")
+    page = Page(folder / "many.html")
+    layer, origin = page.meta["map"], page.meta["origin"]
+    boxes = page.boxes(layer["corners"], layer["step"])
+    assert len(boxes) == layer["boxes"] == len(rows)
+    key = lambda corners: tuple(round(v, 2) for v in corners)
+    found = sorted(key([low[k] + origin[k] for k in range(3)]) for low, _ in boxes)
+    assert all(abs(a - b) < 0.02 for one, other in zip(found, sorted(key(r[:3]) for r in rows)) for a, b in zip(one, other))
+    tiles = page.array(layer["tiles"])
+    assert tiles[0] == 0 and tiles[-1] == len(boxes) and list(tiles) == sorted(tiles)
+    assert layer["far"] and layer["far"][-1]["count"] < len(boxes) / 5
+    for level in layer["far"]:
+        blocks, first = page.boxes(level["corners"], layer["step"]), page.array(level["first"])
+        assert len(first) == len(tiles) and len(page.array(level["of"])) == len(blocks) == first[-1]
+        for t in random.sample(range(len(tiles) - 1), 12):
+            near = blocks[first[t]:first[t + 1]]
+            for low, high in boxes[tiles[t]:tiles[t + 1]]:
+                for share in (0.01, 0.5, 0.99):
+                    p = [a + share * (b - a) for a, b in zip(low, high)]
+                    assert any(all(a - 2e-3 <= v <= b + 2e-3 for a, v, b in zip(*block[:1], p, *block[1:])) for block in near), (t, p)
+
+
 def main(folder):
     run("skyway-import", data / "village.csv", "-q", "--bounds", "0,0,0,80,60,60", "-o", folder / "map")
     vehicle = ["--vehicle", "box:1,1,1"]
@@ -370,6 +402,7 @@ def main(folder):
     run("skyway-view", *files, "--title", "A < B & C", "-o", folder / "again.html")
     assert (folder / "again.html").read_bytes() == page_file.read_bytes()
     check_imported(folder)
+    check_levels(folder)
     check_fleet(folder)
 
 

@@ -11,6 +11,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import zlib
 
 import colour_vision
 from viewer import Viewer
@@ -271,8 +272,10 @@ def shows_failure(browser, folder, page):
     run("skyway-view", *[folder / f for f in ("map", "path", "trajectory", "failed")], "--title", "Failed", "-o", page)
     viewer = Viewer(browser, page)
     assert viewer.get("checks") == [{"id": "q1", "ok": False, "reason": report["reason"]}]
-    browser.click(".check.failed button")
     place = [report["place"][k] for k in (1, 0, 2)]
+    assert all(abs(a - b) < 1e-3 for a, b in zip(viewer.get("target"), place)) and viewer.get("distance") <= 60  # it opens there
+    browser.key("h")
+    browser.click(".check.failed button")
     assert all(abs(a - b) < 1e-3 for a, b in zip(viewer.get("target"), place)), viewer.get("target")
     assert abs(viewer.get("time") - report["time"]) < 1e-6
     assert viewer.get("picked") is not None
@@ -286,10 +289,41 @@ def shows_large_city(browser, folder, page):
     run("skyway-import", "-q", "-", "-o", folder / "large", text=table)
     run("skyway-view", folder / "large", "--title", "A large city", "-o", page)
     viewer = Viewer(browser, page, "dark")
+    unpacks(viewer)
     assert viewer.get("boxes") >= 100000 and viewer.get("triangles") <= 2 * 6 * viewer.get("boxes") + 100
-    assert viewer.get("drawCalls") <= 5  # the boxes twice: first for their outlines
+    assert viewer.get("drawCalls") <= 6  # boxes and blocks twice: first for their outlines
     viewer.figures("large city")
     viewer.picture("large-dark")
+    shows_detail_near(viewer)
+
+
+def shows_detail_near(viewer):
+    """From afar few blocks are drawn; near the camera the boxes themselves, which can be picked."""
+    near, far = viewer.get("drawn")
+    assert near + far < viewer.get("boxes") / 4, (near, far)
+    browser = viewer.browser
+    frames = viewer.get("frames")
+    browser.run("document.getElementById('view').focus()")
+    for _ in range(20):
+        browser.key("+")
+    viewer.until(f"skyway.frames > {frames} && skyway.drawn[0] > 0")
+    browser.click("#view")
+    assert viewer.get("picked") is not None
+    assert "Id in the source" in browser.run("return document.getElementById('picked').textContent")
+    viewer.picture("large-near")
+    middle = browser.run("const i = skyway.picked, c = stage.boxes.corners; return [c[6 * i + 3] > c[6 * i], c[6 * i + 5] > 0]")
+    assert middle == [True, True]
+
+
+def unpacks(viewer):
+    """Raw deflate data of every kind of block, as zlib wrote them."""
+    plain = bytes(i * i % 251 for i in range(9000)) + bytes(40000) + os.urandom(3000)
+    for level, kind in ((0, zlib.Z_DEFAULT_STRATEGY), (1, zlib.Z_DEFAULT_STRATEGY), (9, zlib.Z_DEFAULT_STRATEGY), (9, zlib.Z_FIXED)):
+        packer = zlib.compressobj(level, zlib.DEFLATED, -15, 9, kind)
+        data = base64.b64encode(packer.compress(plain) + packer.flush()).decode()
+        found = viewer.browser.run("const d = Uint8Array.from(atob(arguments[0]), c => c.charCodeAt(0));"
+                                   "return btoa(Array.from(inflated(d, arguments[1]), v => String.fromCharCode(v)).join(''))", data, len(plain))
+        assert base64.b64decode(found) == plain, (level, kind)
 
 
 def shows_labels(browser, folder, page):
@@ -333,6 +367,7 @@ def shows_room(browser, folder, page):
                           "s => getComputedStyle(s).backgroundColor)")
     assert colours == ["rgb(255, 0, 0)", "rgb(0, 0, 255)"], colours
     viewer.picture("room")
+    closes_with_stubs(browser, folder, page)
     (folder / "west.csv").write_text("lat0 37.79248, lon0 -122.39745\nposX,posY,posZ,halfSizeX,halfSizeY,halfSizeZ\n0,0,5,5,5,5\n")
     run("skyway-import", "-q", folder / "west.csv", "-o", folder / "west")
     run("skyway-view", folder / "west", "-o", page)
@@ -341,6 +376,20 @@ def shows_room(browser, folder, page):
     contents = browser.run("return document.getElementById('side').textContent")
     assert "37.79248° N, 122.39745° W" in contents, contents
     viewer.quiet()
+
+
+def closes_with_stubs(browser, folder, page):
+    """Walls between the camera and the room are cut down; dark pillars are seen in the dark."""
+    (folder / "lab.txt").write_text("boundary 0 0 0 8 6 3\nblock 0 0 0 0.1 6 3 200 200 200\nblock 7.9 0 0 8 6 3 200 200 200\n"
+                                    "block 0 0 0 8 0.1 3 200 200 200\nblock 0 0 2.9 8 6 3 90 90 90\nblock 3 3 0 3.3 3.3 3 16 16 20\n")
+    run("skyway-import", "-q", folder / "lab.txt", "-o", folder / "lab")
+    run("skyway-view", folder / "lab", "--title", "A lab", "-o", page)
+    for scheme in ("light", "dark"):
+        viewer = Viewer(browser, page, scheme)
+        assert sorted(browser.run("return [...stage.boxes.traits].map(t => t >> 4)")) == [0, 1, 2, 3, 5]
+        viewer.picture(f"lab-{scheme}")
+    seen = browser.run("return contrastOf(seenColour('#101014'), theme.colour('ground'))")
+    assert seen >= 3, seen
 
 
 def make_missions(folder, count):
@@ -604,6 +653,20 @@ def shows_real_city(browser, folder, page):
     viewer.picture("san-francisco")
 
 
+def shows_vienna(browser, folder, page):
+    """A whole city: a file of a few megabytes, and a first frame of few boxes."""
+    source = pathlib.Path(os.environ["SKYWAY_REALDATA"]) / "metropolis" / "vienna_buildings.gpkg"
+    if not (bin_dir / "skyway-footprints").exists():
+        return
+    run("skyway-footprints", "-q", source, "--height-attribute", "bldg_h_max", "--default-height", "15", "-o", folder / "vienna")
+    run("skyway-view", folder / "vienna", "-o", page)
+    assert page.stat().st_size < 8e6, page.stat().st_size
+    viewer = Viewer(browser, page)
+    assert viewer.get("boxes") > 500000 and sum(viewer.get("drawn")) < 40000, viewer.get("drawn")
+    viewer.figures("Vienna")
+    viewer.picture("vienna")
+
+
 def works_without_webgl(folder, page):
     run("skyway-view", *[folder / f for f in ("map", "trajectory")], "-o", page)
     with Browser(extra=["--disable-3d-apis"]) as browser:
@@ -636,6 +699,7 @@ def main(folder):
             real = folder / "real"
             real.mkdir()
             shows_real_city(browser, real, page)
+            shows_vienna(browser, real, page)
         else:
             print("the San Francisco page was left out: SKYWAY_REALDATA is not set")
     works_without_webgl(demo, page)

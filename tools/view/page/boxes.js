@@ -180,6 +180,7 @@ class Boxes {
     part.geometry.dispose();
     part.geometry = geometryOf(arrays);
     part.visible = count > 0;
+    part.count = count;
   }
 
   // The number of the box's building in three bytes, its traits, and its colour.
