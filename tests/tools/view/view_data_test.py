@@ -351,9 +351,11 @@ def check_levels(folder):
     layer, origin = page.meta["map"], page.meta["origin"]
     boxes = page.boxes(layer["corners"], layer["step"])
     assert len(boxes) == layer["boxes"] == len(rows)
-    key = lambda corners: tuple(round(v, 2) for v in corners)
-    found = sorted(key([low[k] + origin[k] for k in range(3)]) for low, _ in boxes)
-    assert all(abs(a - b) < 0.02 for one, other in zip(found, sorted(key(r[:3]) for r in rows)) for a, b in zip(one, other))
+    ids = page.array(layer["ids"])
+    assert sorted(ids) == sorted(set(ids))
+    by_id = {line: row[:6] for line, row in enumerate(rows, 2)}  # an id is the line of the table
+    for i, (low, high) in zip(ids, boxes, strict=True):
+        close([*(low[k] + origin[k] for k in range(3)), *(high[k] + origin[k] for k in range(3))], by_id[i], 2e-3)
     tiles = page.array(layer["tiles"])
     assert tiles[0] == 0 and tiles[-1] == len(boxes) and list(tiles) == sorted(tiles)
     assert layer["far"] and layer["far"][-1]["count"] < len(boxes) / 5
