@@ -1,11 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
-#include <tuple>
 
 #include "geom/map/buildings.h"
-#include "geom/map/far_blocks.h"
+#include "geom/map/detail_levels.h"
 #include "geom/map/label_colour.h"
 #include "geom/map/outer_walls.h"
 #include "layers.h"
@@ -13,12 +11,9 @@
 namespace view {
 namespace {
 
-constexpr std::size_t kFew = 20000;   // boxes that are drawn as they are
-constexpr std::size_t kATile = 600;   // boxes, about
-constexpr double kFinest = 1.0 / 96;  // the cell of the finest blocks, of a tile
-constexpr double kCoarser = 2.2;      // from each level to the next
-constexpr double kFewer = 0.8;   // a level has so many of the blocks of the one before, at most
-constexpr double kStep = 0.001;  // metres: to this, corners of many boxes are rounded
+constexpr std::size_t kFew = 20000;  // boxes that are drawn as they are
+constexpr unsigned kZone = 128;      // the trait of air to keep out of
+constexpr double kStep = 0.001;      // metres: to this, corners of many boxes are rounded
 
 struct BoxArrays {
   std::vector<geom::Aabb> boxes;  // local, east, north, up
@@ -38,8 +33,8 @@ std::vector<std::uint8_t> traits_of(const geom::BoxMap& map, std::span<const geo
   std::vector<std::uint8_t> out;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const unsigned side = room ? static_cast<unsigned>(sides[i]) : 0;
-    const unsigned zone = geom::is_keep_out(map.labels()[map.label()[i]]);
-    out.push_back(static_cast<std::uint8_t>(buildings.covered[i] | side << 4 | zone << 7));
+    const unsigned zone = geom::is_keep_out(map.labels()[map.label()[i]]) ? kZone : 0;
+    out.push_back(static_cast<std::uint8_t>(buildings.covered[i] | side << 4 | zone));
   }
   return out;
 }
@@ -98,41 +93,6 @@ Json packed(const std::vector<std::uint32_t>& column, Bundle& bundle) {
   return bundle.add_packed(std::span(&column, 1));
 }
 
-// Boxes in the order of their tiles and buildings, and where each tile begins; at the end how many
-// boxes there are.
-struct Tiles {
-  std::vector<std::uint32_t> order;
-  std::vector<std::uint32_t> first;
-  double side = 0;  // metres
-};
-
-Tiles tiles_of(const BoxArrays& arrays) {
-  geom::Aabb around = arrays.boxes.front();
-  for (const geom::Aabb& box : arrays.boxes) {
-    around = {around.min.cwiseMin(box.min), around.max.cwiseMax(box.max)};
-  }
-  const geom::Vec3 size = around.max - around.min;
-  const double tiles = static_cast<double>(arrays.boxes.size() / kATile);
-  Tiles out;
-  out.side = std::max(std::sqrt(size.x() * size.y() / tiles), size.head<2>().maxCoeff() / tiles);
-  const auto tile = [&](std::uint32_t i) {
-    const geom::Vec3 at = 0.5 * (arrays.boxes[i].min + arrays.boxes[i].max) - around.min;
-    return std::pair(std::floor(at.y() / out.side), std::floor(at.x() / out.side));
-  };
-  const auto key = [&](std::uint32_t i) {
-    return std::tuple(tile(i), arrays.traits[i] >= 128, arrays.buildings.of[i], i);
-  };
-  out.order.resize(arrays.boxes.size());
-  std::iota(out.order.begin(), out.order.end(), 0u);
-  std::sort(out.order.begin(), out.order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-  for (std::uint32_t i = 0; i < out.order.size(); ++i) {
-    if (i == 0 || tile(out.order[i]) != tile(out.order[i - 1])) out.first.push_back(i);
-  }
-  out.first.push_back(static_cast<std::uint32_t>(out.order.size()));
-  return out;
-}
-
 template <class T>
 std::vector<T> in_order(const std::vector<T>& list, const std::vector<std::uint32_t>& order) {
   std::vector<T> out;
@@ -141,42 +101,17 @@ std::vector<T> in_order(const std::vector<T>& list, const std::vector<std::uint3
   return out;
 }
 
-// What is drawn from afar: in each tile and building blocks instead of boxes.
-struct FarLevel {
-  double cell = 0;
-  std::vector<geom::Aabb> blocks;
-  std::vector<std::uint32_t> of;     // of each block the first box of its tile and building
-  std::vector<std::uint32_t> first;  // of each tile; at the end how many blocks there are
-};
-
-FarLevel far_level(const BoxArrays& arrays, const Tiles& tiles, double cell) {
-  FarLevel out{cell, {}, {}, {}};
-  for (std::size_t t = 0; t + 1 < tiles.first.size(); ++t) {
-    out.first.push_back(static_cast<std::uint32_t>(out.blocks.size()));
-    for (std::uint32_t i = tiles.first[t]; i < tiles.first[t + 1];) {
-      std::uint32_t end = i + 1;
-      const auto same = [&](std::uint32_t k) {
-        return arrays.buildings.of[k] == arrays.buildings.of[i] &&
-               (arrays.traits[k] >= 128) == (arrays.traits[i] >= 128);
-      };
-      while (end < tiles.first[t + 1] && same(end)) ++end;
-      for (const geom::Aabb& block :
-           geom::far_blocks(std::span(arrays.boxes).subspan(i, end - i), cell)) {
-        out.blocks.push_back(block);
-        out.of.push_back(i);
-      }
-      i = end;
-    }
+// `look` has columns: a box of each block, its building, and whether it is air to keep out of.
+Json far_json(const geom::FarLevel& level, const BoxArrays& arrays, Bundle& bundle) {
+  std::vector<std::vector<std::uint32_t>> look{level.of, {}, {}};
+  for (const std::uint32_t box : level.of) {
+    look[1].push_back(arrays.buildings.of[box]);
+    look[2].push_back(arrays.traits[box] & kZone);
   }
-  out.first.push_back(static_cast<std::uint32_t>(out.blocks.size()));
-  return out;
-}
-
-Json far_json(const FarLevel& level, Bundle& bundle) {
   return {{"cell", level.cell},
           {"count", level.blocks.size()},
           {"corners", packed_boxes(level.blocks, bundle)},
-          {"of", packed(level.of, bundle)},
+          {"look", bundle.add_packed(look)},
           {"first", packed(level.first, bundle)}};
 }
 
@@ -184,7 +119,7 @@ Json far_json(const FarLevel& level, Bundle& bundle) {
 Json tops(const BoxArrays& arrays) {
   std::vector<float> all;
   for (std::size_t i = 0; i < arrays.boxes.size(); ++i) {
-    if (arrays.traits[i] < 128) all.push_back(static_cast<float>(arrays.boxes[i].max.z()));
+    if (!(arrays.traits[i] & kZone)) all.push_back(static_cast<float>(arrays.boxes[i].max.z()));
   }
   if (all.empty()) return {0, 1, 1};
   std::sort(all.begin(), all.end());
@@ -192,7 +127,11 @@ Json tops(const BoxArrays& arrays) {
 }
 
 Json large_layer(BoxArrays arrays, Bundle& bundle) {
-  const Tiles tiles = tiles_of(arrays);
+  std::vector<std::uint32_t> group;  // air that is kept out of apart from buildings
+  for (std::size_t i = 0; i < arrays.boxes.size(); ++i) {
+    group.push_back(2 * arrays.buildings.of[i] + ((arrays.traits[i] & kZone) != 0));
+  }
+  const geom::DetailLevels tiles = geom::detail_levels(arrays.boxes, group);
   arrays.boxes = in_order(arrays.boxes, tiles.order);
   arrays.ids = in_order(arrays.ids, tiles.order);
   arrays.labels = in_order(arrays.labels, tiles.order);
@@ -206,14 +145,8 @@ Json large_layer(BoxArrays arrays, Bundle& bundle) {
   out["traits"] = packed(traits, bundle);
   out["tiles"] = packed(tiles.first, bundle);
   out["far"] = Json::array();
-  double most = static_cast<double>(arrays.boxes.size());
-  for (double cell = tiles.side * kFinest; cell < tiles.side; cell *= kCoarser) {
-    const FarLevel level = far_level(arrays, tiles, cell);
-    const auto count = static_cast<double>(level.blocks.size());
-    if (count > kFewer * most && !out["far"].empty()) break;
-    out["far"].push_back(far_json(level, bundle));
-    most = count;
-  }
+  for (const geom::FarLevel& level : tiles.far)
+    out["far"].push_back(far_json(level, arrays, bundle));
   return out;
 }
 

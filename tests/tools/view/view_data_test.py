@@ -361,7 +361,7 @@ def check_levels(folder):
     assert layer["far"] and layer["far"][-1]["count"] < len(boxes) / 5
     for level in layer["far"]:
         blocks, first = page.boxes(level["corners"], layer["step"]), page.array(level["first"])
-        assert len(first) == len(tiles) and len(page.array(level["of"])) == len(blocks) == first[-1]
+        assert len(first) == len(tiles) and len(page.columns(level["look"])[0]) == len(blocks) == first[-1]
         for t in random.sample(range(len(tiles) - 1), 12):
             near = blocks[first[t]:first[t + 1]]
             for low, high in boxes[tiles[t]:tiles[t + 1]]:

@@ -19,7 +19,10 @@ class BoxLevels {
   // Blocks of a level, unpacked when they are first drawn.
   blocks(level) {
     const far = this.far[level];
-    if (!far.corners) Object.assign(far, { corners: cornersOf(far.reference.corners, this.step), of: arrayOf(far.reference.of) });
+    if (!far.corners) {
+      const [of, building, traits] = columnsOf(far.reference.look);
+      Object.assign(far, { corners: cornersOf(far.reference.corners, this.step), of, building, traits });
+    }
     return far;
   }
 

@@ -87,7 +87,7 @@ float light() {
 void main() {
   if (hole > 0.0) cutAway();
   // Air that is kept out of is a fine mesh: what flies in it is seen.
-  if (vZone > 0.5 && mod(floor(gl_FragCoord.x) + 2.0 * floor(gl_FragCoord.y), 5.0) > 0.5) discard;
+  if (vZone > 0.5 && mod(floor(gl_FragCoord.x) + 3.0 * floor(gl_FragCoord.y), 7.0) > 0.5) discard;
   if (vZone > 0.5) { gl_FragColor = vec4(zone, 1.0); return; }
   vec3 base = mix(texture2D(ramp, vec2(clamp((vTop - lowest) / span, 0.002, 0.998), 0.5)).rgb, vTint, byLabel);
   vec3 colour = mix(base * light(), edge, outline() * edgeShare);
@@ -161,21 +161,19 @@ class Boxes {
 
   gather() {
     const near = this.levels ? this.levels.nearStretches() : [[0, this.count]];
-    this.fill(this.parts[0], instancedBoxes, near.map(([from, to]) => [this, from, to]), i => i);
-    if (!this.levels) return;
-    const far = this.levels.farStretches();
-    this.fill(this.parts[1], plainBoxes, far, (i, blocks) => blocks.of[i]);
+    this.fill(this.parts[0], instancedBoxes, near.map(([from, to]) => [this, from, to]));
+    if (this.levels) this.fill(this.parts[1], plainBoxes, this.levels.farStretches());
   }
 
-  // `stretches`: [[what has corners, from, to], …]; `boxOf`: the box that has the colour and the building.
-  fill(part, geometryOf, stretches, boxOf) {
-    const count = stretches.reduce((sum, [, from, to]) => sum + to - from, 0), coloured = Boolean(this.tints);
+  // `stretches`: [[what has corners, building and traits, from, to], …]
+  fill(part, geometryOf, stretches) {
+    const count = stretches.reduce((sum, [, from, to]) => sum + to - from, 0);
     const arrays = { corners: new Float32Array(6 * count), numbers: new Uint8Array(4 * Math.max(count, 1)),
-      tints: new Uint8Array(coloured ? 3 * Math.max(count, 1) : 3) };
+      tints: new Uint8Array(this.tints ? 3 * Math.max(count, 1) : 3) };
     let at = 0;
     for (const [source, from, to] of stretches) {
       arrays.corners.set(source.corners.subarray(6 * from, 6 * to), 6 * at);
-      for (let i = from; i < to; ++i, ++at) this.describe(boxOf(i, source), source === this, arrays, at);
+      for (let i = from; i < to; ++i, ++at) this.describe(source, i, arrays, at);
     }
     part.geometry.dispose();
     part.geometry = geometryOf(arrays);
@@ -183,13 +181,13 @@ class Boxes {
     part.count = count;
   }
 
-  // The number of the box's building in three bytes, its traits, and its colour.
-  describe(box, itself, { numbers, tints }, at) {
-    const n = this.building[box];
+  // The number of the box's building in three bytes, its traits, and its colour: of a block that of one of its boxes.
+  describe(source, i, { numbers, tints }, at) {
+    const n = source.building[i], box = source.of ? source.of[i] : i;
     numbers[4 * at] = n >> 16 & 255;
     numbers[4 * at + 1] = n >> 8 & 255;
     numbers[4 * at + 2] = n & 255;
-    numbers[4 * at + 3] = itself ? this.traits[box] : this.traits[box] & 128;  // a block has no walls of a room
+    numbers[4 * at + 3] = source.traits[i];
     if (this.tints) for (let k = 0; k < 3; ++k) tints[3 * at + k] = this.tints[3 * box + k];
   }
 
@@ -241,7 +239,6 @@ class Boxes {
   get hasZones() { return this.labels.some(label => label === "fence" || label === "keep-out" || label.startsWith("keep-out: ")); }
 
   recolour() {
-    if (this.byLabel) this.colourBy("label");
     const { uniforms } = this;
     fillRamp(this.ramp, heightStops());
     uniforms.edge.value.copy(theme.colour("edge"));

@@ -57,7 +57,7 @@ function summaryWords() {
   const words = [];
   if (meta.map) words.push(count(meta.map.boxes, "box", "boxes"));
   if (meta.trees.length) words.push(count(meta.trees.length, "search tree"));
-  if (meta.paths.length) words.push(count(meta.paths.length, "path"));
+  if (meta.paths.length) words.push(count(meta.paths.length, pathWord(meta.paths)));
   const flights = motions.filter(m => m.isFlight).length;
   if (motions.length > flights) words.push(count(motions.length - flights, "trajectory", "trajectories"));
   if (flights) words.push(count(flights, "flight"));

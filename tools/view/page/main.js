@@ -14,7 +14,7 @@ const tabs = makeTabs([
   ...(meta.reports.length ? [["Checks", makeChecksPanel()]] : []),
   ["Contents", makeContentsPanel()]]);
 if (!together && meta.reports.some(r => !r.ok)) tabs.show("Checks");
-if (together && motions.length > mostAlone) clock.set(busiest().time);  // else it would open with the first two in the air
+if (together && motions.length > mostAlone) openWhenBusiest();
 stage.view.home();  // now that it is known what the cards leave of the view
 frameFailure();
 listenToKeys();
@@ -36,4 +36,11 @@ requestAnimationFrame(tick);
 function frameFailure() {
   const failed = meta.reports.filter(r => !r.ok && r.place);
   if (!together && failed.length) goToFailure(failed[0]);
+}
+
+// Else it would open with the first two in the air.
+function openWhenBusiest() {
+  const { time } = busiest();
+  selection.chooseMotion(motions.find(m => m.flies(time)));
+  clock.set(time);
 }

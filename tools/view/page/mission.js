@@ -22,6 +22,9 @@ class Mission {
 }
 
 
+// What a drone flies by its file is a mission; what a planner found is a path.
+function pathWord(paths) { return paths.every(p => p.mission) ? "mission" : "path"; }
+
 const missionOfPath = new Map();
 
 const missions = (() => {

@@ -19,12 +19,13 @@ function missionNotes(mission) {
   if (!together || !mission.motions.length) return [mission.note()];
   const { begin, data, nearest, apart } = mission.motions[0];
   const late = data.delay ? ` (+${shortMetres(data.delay)}${thinSpace}s)` : "";
-  return [clockWords(begin, 1).replace(/(\.\d)? UTC$/, "") + late, Number.isFinite(nearest) ? apartWords(apart) : "–"];
+  return [clockWords(begin, 1).replace(/(\.\d)? UTC$/, "") + late,
+    Number.isFinite(nearest) ? `${shortMetres(apart.across)} across, ${shortMetres(apart.up)} up` : "–"];
 }
 
 function fleetHead() {
   return element("p", { class: "mission-head soft", "aria-hidden": "true" }, ["flight", `departs${together.epoch ? ", UTC" : ", s"} (late)`,
-    "nearest other flight"].map(words => element("span", {}, words)));
+    "nearest other flight, m"].map(words => element("span", {}, words)));
 }
 
 function missionSwatch({ colour, pattern }) {

@@ -43,14 +43,16 @@ function pairWords(pair) {
 function pairRow(pair) {
   return element("tr", {}, element("td", {}, element("button", { type: "button", class: "pair", onclick: () => jumpToPair(pair) },
     pair.reason ? element("span", { class: "bad", title: "not proved apart" }, "✕ ") : null, pairName(pair)),
-  element("div", { class: pair.reason ? "bad" : "soft" }, pairWords(pair))), element("td", {}, clockWords(pair.time, 1)));
+  element("div", { class: pair.reason ? "bad" : "soft" }, pairWords(pair))), element("td", {}, clockWords(pair.time, 1).replace(" UTC", "")));
 }
 
 function makePairsPanel() {
   const { pairs } = together, shown = pairs.slice(0, listedPairs);
+  const jump = pairs.length ? element("button", { type: "button", class: "main", id: "nearest", onclick: () => jumpToPair(pairs[0]) },
+    "Show the nearest pair") : null;
   const rows = shown.map(pairRow);
   selection.follow(() => rows.forEach((row, i) => row.classList.toggle("chosen", shown[i] === selection.pair)));
-  return element("div", {}, sentence(pairsVerdict()),
+  return element("div", {}, sentence(pairsVerdict()), jump,
     shown.length ? element("table", { class: "pairs" }, element("thead", {}, element("tr", {}, ["pair, and how far apart at the nearest",
       together.epoch ? "at, UTC" : "at, s"].map(words => element("th", { scope: "col" }, words)))), element("tbody", {}, rows)) : null,
     element("p", { class: "soft" }, `${count(together.near, "pair")} came within ${metres(together.within)} while both flew` +

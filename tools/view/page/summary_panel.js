@@ -47,8 +47,8 @@ function sentence([kind, sign, words]) {
 function refusedNote() {
   const left = Math.max(together && together.check ? together.check.left_out : 0, refusedFlights.length);
   if (!left) return null;
-  const words = `${count(left, "flight was", "flights were")} refused before. ${left === 1 ? "It is" : "They are"} not part of this plan, ` +
-    "and no pair counts them.";
+  const words = `${count(left, "flight was", "flights were")} refused before. ${left === 1 ? "It is" : "They are"} not part of this plan` +
+    (together ? `, and no pair counts ${left === 1 ? "it" : "them"}.` : ".");
   const rows = refusedFlights.slice(0, listedPairs).map(u => element("li", {}, element("b", {}, u.id), " ",
     element("span", { class: "soft" }, u.message || u.status.replaceAll("_", " "))));
   return element("section", { class: "aside" }, element("p", {}, words), rows.length
@@ -73,7 +73,7 @@ function makeSummaryPanel() {
     ]),
     element("div", { class: "row" },
       element("button", { type: "button", id: "densest", onclick: () => { clock.play(false); clock.set(most.time); } }, "The busiest time"),
-      nearest ? element("button", { type: "button", id: "nearest", onclick: () => jumpToPair(nearest) }, "The nearest pair") : null),
+      nearest ? element("button", { type: "button", onclick: () => jumpToPair(nearest) }, "The nearest pair") : null),
     element("p", { class: "soft" }, check
       ? "Proved: reference points of the planned flights keep that apart at every instant, by a computation in exact numbers. " +
         "Not proved: how well vehicles follow their plan."
