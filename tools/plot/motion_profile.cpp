@@ -9,6 +9,7 @@
 #include "geom/text/counted.h"
 #include "palette.h"
 #include "traj/curve/flatness.h"
+#include "traj/curve/smoothness.h"
 #include "traj/record/duration_bound.h"
 
 namespace plot {
@@ -19,20 +20,47 @@ constexpr double kDegrees = 57.29577951308232;
 
 using Value = std::function<double(const traj::State&)>;
 
-std::vector<Point> curve(const traj::TrajectoryRecord& record, geom::Axes axes,
-                         const Value& value) {
+// A value at many instants of the trajectory.
+template <class At>
+std::vector<Point> sampled(const traj::TrajectoryRecord& record, const At& at) {
   const double end = traj::duration(record.trajectory);
   std::vector<Point> points;
-  for (int i = 0; i <= kSamples; ++i) {
-    const double t = end * i / kSamples;
-    points.push_back({t, value(traj::to_enu(axes, traj::evaluate(record.trajectory, t)))});
-  }
+  for (int i = 0; i <= kSamples; ++i)
+    points.push_back({end * i / kSamples, at(end * i / kSamples)});
   return points;
+}
+
+std::vector<Point> curve(const traj::TrajectoryRecord& record, geom::Axes axes,
+                         const Value& value) {
+  return sampled(record, [&](double t) {
+    return value(traj::to_enu(axes, traj::evaluate(record.trajectory, t)));
+  });
 }
 
 std::vector<Level> level(const char* name, const std::optional<double>& limit, double scale = 1) {
   if (!limit) return {};
   return {{fmt::format("{} {:.4g}", name, *limit * scale), *limit * scale}};
+}
+
+// "∫ |jerk|² dt = 12.3 m²/s⁵"
+std::string integral_words(const char* of, double value, const char* unit) {
+  return fmt::format("\u222b |{}|\u00b2 dt = {:.4g} {}", of, value, unit);
+}
+
+Panel jerk_panel(const traj::TrajectoryRecord& record, geom::Axes axes) {
+  const auto jerk = [](const traj::State& s) { return s.jerk.norm(); };
+  Panel out{"jerk, m/s\u00b3",
+            {{"", colour(0), curve(record, axes, jerk)}},
+            level("jmax", traj::limits_of(record)[traj::Limit::jerk])};
+  out.note = integral_words("jerk", traj::smoothness(record.trajectory).jerk, "m\u00b2/s\u2075");
+  return out;
+}
+
+Panel snap_panel(const traj::TrajectoryRecord& record) {
+  const auto snap = [&](double t) { return traj::snap(record.trajectory, t).norm(); };
+  Panel out{"snap, m/s\u2074", {{"", colour(0), sampled(record, snap)}}};
+  out.note = integral_words("snap", traj::smoothness(record.trajectory).snap, "m\u00b2/s\u2077");
+  return out;
 }
 
 // How much faster another flight could be, where the record has a bound.
@@ -75,7 +103,6 @@ std::string motion_profile(const traj::TrajectoryRecord& record, std::string_vie
       speed.levels.push_back(l);
   }
   const auto acceleration = [](const traj::State& s) { return s.acceleration.norm(); };
-  const auto jerk = [](const traj::State& s) { return s.jerk.norm(); };
   const auto thrust = [](const traj::State& s) { return traj::flat_state(s, {}).thrust; };
   Figure figure;
   figure.title = fmt::format("{}: {:.2f} s, {}{}", record.id, traj::duration(record.trajectory),
@@ -90,7 +117,8 @@ std::string motion_profile(const traj::TrajectoryRecord& record, std::string_vie
       {"acceleration, m/s\u00b2",
        {of(acceleration, "", 0)},
        level("amax", limits[traj::Limit::acceleration])},
-      {"jerk, m/s\u00b3", {of(jerk, "", 0)}, level("jmax", limits[traj::Limit::jerk])},
+      jerk_panel(record, axes),
+      snap_panel(record),
       {"thrust/mass, m/s\u00b2",
        {of(thrust, "", 0)},
        level("thrust", limits[traj::Limit::thrust]),

@@ -9,9 +9,9 @@
 
 namespace plot {
 
-// An SVG of position in east, north, up, speed, acceleration, jerk, thrust over mass and tilt (by
-// differential flatness), the limits of the record beside them. The record is solved.
-// `note` stands after the title.
+// An SVG of position in east, north, up, speed, acceleration, jerk and snap with the integrals of
+// their squares, thrust over mass and tilt (by differential flatness), the limits of the record
+// beside them. The record is solved. `note` stands after the title.
 std::string motion_profile(const traj::TrajectoryRecord& record, std::string_view note = "");
 
 }  // namespace plot

@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <utility>
 
+#include "geom/map/label_colour.h"
+#include "geom/shape/joined_outlines.h"
 #include "geom/text/counted.h"
 #include "geom/text/excerpt.h"
 #include "palette.h"
@@ -40,23 +41,80 @@ Frame frame_for(const geom::Aabb& bounds) {
           {bounds.max.x(), bounds.max.y()}};
 }
 
-void draw_boxes(Svg& svg, const Frame& frame, const geom::BoxMap& map) {
-  const geom::Axes axes = map.spec().frame.axes;
-  const double top = map.spec().bounds.max.z();
-  const double floor = map.spec().bounds.min.z();
-  std::vector<std::size_t> order(map.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return map.boxes()[a].max.z() < map.boxes()[b].max.z();
-  });
-  for (const std::size_t i : order) {
-    const geom::Aabb box = geom::to_enu(axes, map.boxes()[i]);
-    const Point low = frame.at({box.min.x(), box.min.y()});
-    const Point high = frame.at({box.max.x(), box.max.y()});
-    const double t = std::clamp((box.max.z() - floor) / std::max(top - floor, 1e-9), 0.0, 1.0);
-    svg.rectangle({low.x, high.y}, high.x - low.x, low.y - high.y,
-                  fmt::format("fill=\"{}\" stroke=\"#00000022\" stroke-width=\"0.5\"", shade(t)));
+constexpr std::size_t kFewBoxes = 20000;  // that are drawn one by one
+constexpr int kShades = 24;               // of outlines around more
+constexpr double kOutlineGrid = 0.1;      // pixels
+constexpr double kOutlineTolerance = 0.15;
+constexpr std::string_view kZoneStyle =
+    "fill=\"#d55e00\" fill-opacity=\"0.12\" stroke=\"#a34700\" stroke-width=\"1.2\" "
+    "stroke-dasharray=\"5 3\"";
+
+// The boxes from above, those with the lowest tops first, and the keep-out volumes.
+struct PlanBoxes {
+  std::vector<geom::Aabb> solid;  // ENU
+  std::vector<geom::Aabb> zones;
+};
+
+PlanBoxes plan_boxes(const geom::BoxMap& map) {
+  PlanBoxes out;
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    const bool zone = geom::is_keep_out(map.labels()[map.label()[i]]);
+    (zone ? out.zones : out.solid).push_back(geom::to_enu(map.spec().frame.axes, map.boxes()[i]));
   }
+  std::stable_sort(out.solid.begin(), out.solid.end(),
+                   [](const geom::Aabb& a, const geom::Aabb& b) { return a.max.z() < b.max.z(); });
+  return out;
+}
+
+// How high a top is, of the heights of the map, 0 to 1.
+double share_of_height(const geom::BoxMap& map, double top) {
+  const geom::Aabb& bounds = map.spec().bounds;
+  return std::clamp((top - bounds.min.z()) / std::max(bounds.max.z() - bounds.min.z(), 1e-9), 0.0,
+                    1.0);
+}
+
+void draw_outlines(Svg& svg, const Frame& frame, std::span<const geom::Aabb> boxes,
+                   std::string_view style) {
+  const double metres = (frame.high.x - frame.low.x) / frame.width;  // of a pixel
+  std::vector<std::vector<Point>> rings;
+  for (const auto& ring :
+       geom::joined_outlines(boxes, {kOutlineGrid * metres, kOutlineTolerance * metres})) {
+    rings.emplace_back();
+    for (const geom::Vec2& p : ring) rings.back().push_back(frame.at({p.x(), p.y()}));
+  }
+  svg.rings(rings, style);
+}
+
+// Of very many boxes the outlines around those of about one height.
+void draw_shades(Svg& svg, const Frame& frame, const geom::BoxMap& map,
+                 std::span<const geom::Aabb> boxes) {
+  const auto shade_of = [&](const geom::Aabb& box) {
+    return static_cast<int>(std::lround(share_of_height(map, box.max.z()) * (kShades - 1)));
+  };
+  for (std::size_t i = 0; i < boxes.size();) {
+    std::size_t end = i + 1;
+    while (end < boxes.size() && shade_of(boxes[end]) == shade_of(boxes[i])) ++end;
+    draw_outlines(svg, frame, boxes.subspan(i, end - i),
+                  fmt::format("fill=\"{}\" stroke=\"#00000033\" stroke-width=\"0.4\"",
+                              shade(shade_of(boxes[i]) / (kShades - 1.0))));
+    i = end;
+  }
+}
+
+void draw_boxes(Svg& svg, const Frame& frame, const geom::BoxMap& map) {
+  const PlanBoxes boxes = plan_boxes(map);
+  if (boxes.solid.size() > kFewBoxes) {
+    draw_shades(svg, frame, map, boxes.solid);
+  } else {
+    for (const geom::Aabb& box : boxes.solid) {
+      const Point low = frame.at({box.min.x(), box.min.y()});
+      const Point high = frame.at({box.max.x(), box.max.y()});
+      svg.rectangle({low.x, high.y}, high.x - low.x, low.y - high.y,
+                    fmt::format("fill=\"{}\" stroke=\"#00000022\" stroke-width=\"0.5\"",
+                                shade(share_of_height(map, box.max.z()))));
+    }
+  }
+  draw_outlines(svg, frame, boxes.zones, kZoneStyle);
 }
 
 std::vector<Point> on_page(const Frame& frame, const geom::Polyline& line) {
@@ -86,8 +144,26 @@ void draw_line(Svg& svg, const Frame& frame, const PlanLine& line, std::size_t i
   if (line.corners) {
     for (const Point& p : points) svg.circle(p, 2.6, fmt::format("fill=\"{}\"", colour));
   }
-  svg.circle(points.front(), 6, "fill=\"#ffffff\" stroke=\"#222222\" stroke-width=\"2\"");
-  svg.circle(points.back(), 6, "fill=\"#222222\" stroke=\"#ffffff\" stroke-width=\"2\"");
+}
+
+// A ring, open in the middle, so that the dot of an end at the same place is seen in it.
+void draw_start(Svg& svg, Point at) {
+  svg.circle(at, 7.5, "fill=\"none\" stroke=\"#ffffff\" stroke-width=\"5\"");
+  svg.circle(at, 7.5, "fill=\"none\" stroke=\"#222222\" stroke-width=\"2\"");
+}
+
+void draw_end(Svg& svg, Point at) {
+  svg.circle(at, 4, "fill=\"#222222\" stroke=\"#ffffff\" stroke-width=\"1.5\"");
+}
+
+// Above all lines: rings first, and dots in them.
+void draw_ends(Svg& svg, const Frame& frame, std::span<const PlanLine> lines) {
+  for (const PlanLine& line : lines) {
+    if (!line.points.empty()) draw_start(svg, on_page(frame, {line.points.front()})[0]);
+  }
+  for (const PlanLine& line : lines) {
+    if (!line.points.empty()) draw_end(svg, on_page(frame, {line.points.back()})[0]);
+  }
 }
 
 std::string label_of(const PlanLine& line) {
@@ -140,9 +216,9 @@ void draw_key(Svg& svg, const Frame& frame, const geom::BoxMap& map,
   draw_heights(svg, x, frame.top + 14, map);
   if (lines.empty()) return;
   double y = frame.top + 204;
-  svg.circle({x + 9, y}, 6, "fill=\"#ffffff\" stroke=\"#222222\" stroke-width=\"2\"");
+  draw_start(svg, {x + 9, y});
   svg.text({x + 28, y + 4}, "start", 12);
-  svg.circle({x + 9, y + 22}, 6, "fill=\"#222222\"");
+  draw_end(svg, {x + 9, y + 22});
   svg.text({x + 28, y + 26}, "end", 12);
   y += 50;
   for (std::size_t i = 0; i < std::min(lines.size(), kNamed); ++i, y += 20) {
@@ -168,6 +244,7 @@ std::string plan_view(const geom::BoxMap& map, std::span<const PlanTree> trees,
   draw_boxes(svg, frame, map);
   for (const PlanTree& tree : trees) draw_tree(svg, frame, tree);
   for (std::size_t i = 0; i < lines.size(); ++i) draw_line(svg, frame, lines[i], i);
+  draw_ends(svg, frame, lines);
   svg.axes(frame, "east, m", "north, m");
   draw_key(svg, frame, map, lines);
   svg.text({frame.left, 32}, title, 16);

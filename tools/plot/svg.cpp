@@ -69,7 +69,8 @@ Point Frame::at(Point data) const {
 Svg::Svg(double width, double height) {
   body_ = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
-      "height=\"{1}\" font-family=\"sans-serif\">\n<rect width=\"{0}\" height=\"{1}\" "
+      "height=\"{1}\" font-family=\"system-ui, -apple-system, 'Segoe UI', Roboto, 'Noto Sans', "
+      "'DejaVu Sans', sans-serif\">\n<rect width=\"{0}\" height=\"{1}\" "
       "fill=\"#ffffff\"/>\n",
       width, height);
 }
@@ -83,6 +84,29 @@ void Svg::polyline(const std::vector<Point>& points, std::string_view style) {
   body_ += "<polyline points=\"";
   for (const Point& p : points) body_ += px(p.x) + ',' + px(p.y) + ' ';
   body_ += fmt::format("\" fill=\"none\" {}/>\n", style);
+}
+
+void Svg::rings(const std::vector<std::vector<Point>>& rings, std::string_view style) {
+  if (rings.empty()) return;
+  // In steps from corner to corner, of whole tenths, so that rounding does not add up.
+  const auto tenths = [](double v) { return std::llround(v * 10); };
+  const auto digits = [](long long v) { return fmt::format("{:g}", 0.1 * static_cast<double>(v)); };
+  body_ += "<path d=\"";
+  for (const std::vector<Point>& ring : rings) {
+    long long x = 0;
+    long long y = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const long long right = tenths(ring[i].x);
+      const long long down = tenths(ring[i].y);
+      if (i > 0 && right == x && down == y) continue;
+      body_ += i == 0 ? "M" : "l";
+      body_ += digits(i == 0 ? right : right - x) + ' ' + digits(i == 0 ? down : down - y);
+      x = right;
+      y = down;
+    }
+    body_ += 'z';
+  }
+  body_ += fmt::format("\" fill-rule=\"evenodd\" {}/>\n", style);
 }
 
 void Svg::circle(Point center, double radius, std::string_view style) {

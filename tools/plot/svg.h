@@ -29,6 +29,8 @@ class Svg {
 
   void rectangle(Point corner, double width, double height, std::string_view style);
   void polyline(const std::vector<Point>& points, std::string_view style);
+  // Closed outlines as one path, filled by the even-odd rule.
+  void rings(const std::vector<std::vector<Point>>& rings, std::string_view style);
   void circle(Point center, double radius, std::string_view style);
   // `anchor` is start, middle or end; `turn` in degrees.
   void text(Point at, std::string_view words, double size, std::string_view anchor = "start",

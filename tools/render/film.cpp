@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geom/map/label_colour.h"
+#include "geom/map/outer_walls.h"
 #include "render/drawing/map_key.h"
 
 namespace render {
@@ -41,6 +43,39 @@ GroundGrid grid_for_eye(const GroundGrid& grid) {
   return {std::min(grid.cell, 100.0), std::min(grid.fine, 10.0)};
 }
 
+// What a map from outside leaves out: keep-out volumes, whose edges are drawn instead, and walls
+// and ceilings of a room that stand between it and the eye.
+std::vector<bool> unseen_from(const geom::BoxMap& map, const Vec3& eye) {
+  const geom::Aabb bounds = enu_bounds(map);
+  std::vector<geom::Aabb> boxes;
+  for (const geom::Aabb& box : map.boxes()) {
+    boxes.push_back(geom::to_enu(map.spec().frame.axes, box));
+  }
+  const bool room = map.spec().bounds_from != "obstacles";
+  const auto sides = geom::outer_walls(boxes, bounds);
+  std::vector<bool> out(boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const bool cut = room && geom::hides_room(sides[i], boxes[i], eye);
+    out[i] = cut || geom::is_keep_out(map.labels()[map.label()[i]]);
+  }
+  return out;
+}
+
+std::vector<geom::Aabb> zones_of(const geom::BoxMap& map) {
+  std::vector<geom::Aabb> out;
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    if (!geom::is_keep_out(map.labels()[map.label()[i]])) continue;
+    out.push_back(geom::to_enu(map.spec().frame.axes, map.boxes()[i]));
+  }
+  return out;
+}
+
+// Above the band of the key (map_key.h): the rows below the map show the ground around it.
+View with_band(View view, int band) {
+  view.height += band;
+  return view;
+}
+
 bool has_ways(const std::vector<Line>& lines) {
   return std::any_of(lines.begin(), lines.end(), [](const Line& line) { return line.way; });
 }
@@ -71,33 +106,53 @@ Film::Film(const geom::BoxMap& map, std::vector<Line> lines, const Motion* motio
   geom::Aabb shown = bounds;
   std::vector<Tubes> tubes;
   if (options_.kind == "overview") {
-    map_view_ = overview(with_room(bounds), width_, height_, options_.overview);
+    const int band = key_band(width_, height_);
+    map_view_ =
+        with_band(overview(with_room(bounds), width_, height_ - band, options_.overview), band);
     const double away = (0.5 * (bounds.min + bounds.max) - map_view_.eye).norm();
     tubes = tubes_of(lines_, away / map_view_.fx);
   } else if (combined) {
     shown = around_lines(lines_, bounds);
-    map_view_ = plan_view(shown, kSide, options_.camera.height);
+    const int band = key_band(kSide, options_.camera.height);
+    map_view_ = with_band(plan_view(shown, kSide, options_.camera.height - band), band);
     charts_ = charts_of(*motion_, width_);
   } else {
-    map_view_ = plan_view(bounds, width_, height_);
+    const int band = key_band(width_, height_);
+    map_view_ = with_band(plan_view(bounds, width_, height_ - band), band);
   }
-  scene_ = std::make_unique<PictureScene>(map, tubes);
+  if (options_.kind == "overview" || options_.kind == "plan") {
+    Vec3 eye = map_view_.eye;
+    if (map_view_.parallel) eye.z() = bounds.max.z() + 10;
+    scene_ = std::make_unique<PictureScene>(map, tubes, unseen_from(map, eye));
+  } else {
+    scene_ = std::make_unique<PictureScene>(map, tubes);
+  }
   Look look = look_of(map);
-  if (options_.kind != "first-person") {
-    map_view_.eye.z() = options_.kind == "overview" ? map_view_.eye.z() : bounds.max.z() + 10;
-    Light light = options_.light;
-    light.haze = 0;
-    look.grid = ground_grid(shown);
-    const Shader shader(*scene_, look, light, true);
-    Wanted wanted = options_.wanted;
-    if (combined) wanted = {true, false, false, 3};
-    map_ = std::move(take_pictures(*scene_, shader, std::span(&map_view_, 1), wanted, run)[0]);
-    if (tubes.empty()) draw_lines(map_, map_view_, lines_);
-    draw_map_key(map_, map_view_, {shown, look.grid, has_ways(lines_)});
-    draw_ends(map_, map_view_, lines_, std::max(1, key_scale(map_)));
-  }
+  if (options_.kind != "first-person") take_map(map, look, shown, tubes.empty(), run);
   look.grid = grid_for_eye(ground_grid(bounds));
   shader_ = std::make_unique<Shader>(*scene_, look, options_.light, false);
+}
+
+void Film::take_map(const geom::BoxMap& map, Look look, const geom::Aabb& shown, bool flat,
+                    const geom::Execution& run) {
+  const geom::Aabb bounds = enu_bounds(map);
+  const bool above = options_.kind != "overview";
+  if (above) map_view_.eye.z() = bounds.max.z() + 10;
+  Light light = options_.light;
+  light.haze = 0;
+  look.grid = ground_grid(shown);
+  const Shader shader(*scene_, look, light, true);
+  const Wanted wanted =
+      options_.kind == "combined" ? Wanted{true, false, false, 3} : options_.wanted;
+  map_ = std::move(take_pictures(*scene_, shader, std::span(&map_view_, 1), wanted, run)[0]);
+  if (options_.kind != "combined") draw_zones(map_, map_view_, zones_of(map));
+  if (flat) {
+    draw_lines(map_, map_view_, lines_);
+  } else {
+    draw_faintly(map_, map_view_, lines_);
+  }
+  draw_ends(map_, map_view_, *scene_, lines_, std::max(1, key_scale(map_)));
+  draw_map_key(map_, map_view_, {shown, look.grid, has_ways(lines_)});
 }
 
 View Film::view(double time) const {

@@ -39,6 +39,9 @@ class Film {
 
  private:
   Picture on_map(const std::optional<double>& time) const;
+  // The map as it is before a vehicle is drawn on it. `flat`: lines are painted, and are no tubes.
+  void take_map(const geom::BoxMap& map, Look look, const geom::Aabb& shown, bool flat,
+                const geom::Execution& run);
   void put_beside(const Picture& eye, double time, Picture& whole) const;
 
   FilmOptions options_;

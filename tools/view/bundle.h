@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace view {
 
@@ -20,6 +21,12 @@ class Bundle {
   Json add(std::span<const std::uint32_t> values) { return append(std::as_bytes(values), 4, "u4"); }
   Json add(std::span<const std::uint16_t> values) { return append(std::as_bytes(values), 2, "u2"); }
   Json add(std::span<const std::uint8_t> values) { return append(std::as_bytes(values), 1, "u1"); }
+
+  // The same in fewer bytes, for many whole numbers: columns of equal length one after the other,
+  // of each value the difference from the one before (modulo 2^32, small ones of either sign
+  // first), their lowest bytes before their higher ones, deflated. {"at":…,"bytes":…,"count":values
+  // of a column,"columns":…,"type":"packed"}.
+  Json add_packed(std::span<const std::vector<std::uint32_t>> columns);
 
   std::string base64() const;
 

@@ -167,7 +167,9 @@ Json describe(const cli::Contents& contents, const std::optional<Frames>& frames
     return tree_layer(r.record, axes_of(contents, r.record.provenance), frame, bundle);
   });
   each("paths", contents.paths, [&](const auto& r) {
-    return path_layer(r.record, axes_of(contents, r.record.provenance), frame, bundle);
+    Json path = path_layer(r.record, axes_of(contents, r.record.provenance), frame, bundle);
+    if (r.line == 0) path["mission"] = true;  // of a drone file
+    return path;
   });
   each("corridors", contents.corridors, [&](const auto& r) {
     return corridor_layer(r.record, axes_of(contents, r.record.provenance), frame, bundle);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "geom/base/error.h"
+#include "layers.h"
 #include "traj/proof/domain.h"
 #include "traj/together/flights_hash.h"
 
@@ -16,6 +17,54 @@ namespace {
 constexpr std::size_t kMostPairs = 500;  // in the page
 constexpr double kFarthest = 200;        // metres: what is farther apart is not near
 constexpr std::size_t kPairsAFlight = 2;
+
+double across(const traj::Approach& approach) {
+  return (approach.place - approach.other).head<2>().norm();
+}
+
+double up(const traj::Approach& approach) {
+  return std::abs(approach.place.z() - approach.other.z());
+}
+
+// [across, up] of a cylinder, [x, y, up] of a box.
+Json asked(const traj::Zone& zone) {
+  const geom::Vec3& reach = zone.reach;
+  return zone.round ? Json{reach.x(), reach.z()} : as_json(reach);
+}
+
+// Of each flight the approach to the flight that comes nearest; null where none is near.
+std::vector<const traj::Approach*> nearest_of(const traj::Approaches& approaches,
+                                              std::size_t flights) {
+  std::vector<const traj::Approach*> out(flights, nullptr);
+  for (const traj::Approach& approach : approaches.list) {  // the nearest first
+    for (const std::uint32_t i : {approach.flights.first, approach.flights.second}) {
+      if (!out[i]) out[i] = &approach;
+    }
+  }
+  return out;
+}
+
+// distance, across, up of each flight's nearest approach; NaN where none is near.
+Json nearest_array(const traj::Approaches& approaches, std::size_t flights, Bundle& bundle) {
+  constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+  std::vector<float> out;
+  for (const traj::Approach* near : nearest_of(approaches, flights)) {
+    out.push_back(near ? static_cast<float>(near->distance) : kNone);
+    out.push_back(near ? static_cast<float>(across(*near)) : kNone);
+    out.push_back(near ? static_cast<float>(up(*near)) : kNone);
+  }
+  return bundle.add(std::span<const float>(out));
+}
+
+Json check_json(const traj::TogetherSummary& check) {
+  Json out = {{"ok", check.ok},
+              {"flights", check.flights},
+              {"pairs", check.pairs},
+              {"refused", check.refused},
+              {"left_out", check.left_out}};
+  if (check.separation) out["asked"] = asked(*check.separation);
+  return out;
+}
 
 }  // namespace
 
@@ -88,13 +137,13 @@ std::vector<Fleet::Pair> Fleet::pairs() const {
     if (a == index.end() || b == index.end()) continue;
     told.insert(std::minmax(a->second, b->second));
     out.push_back(
-        {a->second, b->second, pair.time - begin_, std::hypot(pair.across, pair.up), pair.reason});
+        {a->second, b->second, pair.time - begin_, pair.across, pair.up, pair.reason, pair.zone});
   }
   for (const traj::Approach& approach : approaches_.list) {
     if (out.size() >= kMostPairs) break;
     const auto [a, b] = approach.flights;
     if (told.count({a, b})) continue;
-    out.push_back({a, b, approach.time - begin_, approach.distance, ""});
+    out.push_back({a, b, approach.time - begin_, across(approach), up(approach), "", {}});
   }
   if (out.size() > kMostPairs) out.resize(kMostPairs);
   return out;
@@ -110,31 +159,23 @@ const traj::TogetherSummary* Fleet::verdict() const {
 }
 
 Json Fleet::json(Bundle& bundle) const {
-  constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-  std::vector<float> nearest(flights_.size(), kNone);
-  for (const traj::Approach& approach : approaches_.list) {
-    for (const std::uint32_t i : {approach.flights.first, approach.flights.second}) {
-      if (std::isnan(nearest[i])) nearest[i] = static_cast<float>(approach.distance);
-    }
-  }
   Json out = {{"begin", begin_}};
   if (const auto& epoch = flights_.front()->time.epoch) out["epoch"] = *epoch;
   out["within"] = approaches_.within;
   out["near"] = approaches_.list.size();
-  out["nearest"] = bundle.add(std::span<const float>(nearest));
+  out["nearest"] = nearest_array(approaches_, flights_.size(), bundle);
   out["pairs"] = Json::array();
   for (const Pair& pair : pairs()) {
-    out["pairs"].push_back(
-        {{"of", {pair.first, pair.second}}, {"time", pair.time}, {"distance", pair.distance}});
-    if (!pair.reason.empty()) out["pairs"].back()["reason"] = pair.reason;
+    Json row = {{"of", {pair.first, pair.second}},
+                {"time", pair.time},
+                {"distance", std::hypot(pair.across, pair.up)},
+                {"across", pair.across},
+                {"up", pair.up}};
+    if (!pair.reason.empty()) row["reason"] = pair.reason;
+    if (pair.zone) row["asked"] = asked(*pair.zone);
+    out["pairs"].push_back(std::move(row));
   }
-  if (const traj::TogetherSummary* check = verdict()) {
-    out["check"] = {{"ok", check->ok},
-                    {"flights", check->flights},
-                    {"pairs", check->pairs},
-                    {"refused", check->refused},
-                    {"left_out", check->left_out}};
-  }
+  if (const traj::TogetherSummary* check = verdict()) out["check"] = check_json(*check);
   return out;
 }
 

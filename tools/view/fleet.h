@@ -28,17 +28,19 @@ class Fleet {
   // together.
   void add_times(const traj::TrajectoryRecord& record, Json& motion) const;
 
-  // Epoch, first departure, the nearest approach of each flight, the nearest pairs, and what the
-  // check said.
+  // Epoch, first departure, the nearest approach of each flight as distance, across and up, the
+  // nearest pairs, and what the check said and asked.
   Json json(Bundle& bundle) const;
 
  private:
   struct Pair {
     std::size_t first = 0;  // motions of the page
     std::size_t second = 0;
-    double time = 0;      // seconds after the first departure
-    double distance = 0;  // metres
-    std::string reason;   // of the check; empty where it did not refuse the pair
+    double time = 0;    // seconds after the first departure
+    double across = 0;  // metres apart then, over the ground and in height
+    double up = 0;
+    std::string reason;              // of the check; empty where it did not refuse the pair
+    std::optional<traj::Zone> zone;  // what was asked of this pair
   };
 
   std::string hash() const;

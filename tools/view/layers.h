@@ -44,6 +44,9 @@ class Clearance {
   std::optional<cli::Scenes> scenes_;
 };
 
+// The map's boxes: corners, ids, labels and buildings; of many boxes in tiles, with blocks for
+// afar.
+Json box_layer(const geom::BoxMap& map, const LocalFrame& frame, Bundle& bundle);
 Json map_layer(const geom::BoxMap& map, const LocalFrame& frame, Bundle& bundle);
 // Throws geom::InputError for more nodes than a browser can show.
 Json lattice_layer(const cli::Read<plan::Lattice>& lattice, geom::Axes axes,

@@ -1,30 +1,11 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <limits>
-
 #include "geom/map/geographic_frame.h"
 #include "geom/map/label_colour.h"
 #include "layers.h"
 
 namespace view {
 namespace {
-
-// The ids in 32 bits, or nothing where one needs more.
-std::vector<std::uint32_t> short_ids(std::span<const std::uint64_t> ids) {
-  constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
-  if (std::any_of(ids.begin(), ids.end(), [](std::uint64_t id) { return id > kMost; })) return {};
-  return {ids.begin(), ids.end()};
-}
-
-Json label_array(const geom::BoxMap& map, Bundle& bundle) {
-  const auto label = map.label();
-  if (map.labels().size() > std::numeric_limits<std::uint16_t>::max()) return bundle.add(label);
-  std::vector<std::uint16_t> small(label.size());
-  std::transform(label.begin(), label.end(), small.begin(),
-                 [](std::uint32_t l) { return static_cast<std::uint16_t>(l); });
-  return bundle.add(std::span<const std::uint16_t>(small));
-}
 
 // Of each label the colour that it is, as "#ff0000", or null.
 Json written_colours(const std::vector<std::string>& labels) {
@@ -71,25 +52,12 @@ Json geographic_layer(const geom::GeodeticOrigin& origin, const geom::Aabb& boun
 Json map_layer(const geom::BoxMap& map, const LocalFrame& frame, Bundle& bundle) {
   const geom::BoxMapSpec& spec = map.spec();
   const geom::Axes axes = spec.frame.axes;
-  std::vector<float> corners;
-  corners.reserve(map.size() * 6);
-  for (const geom::Aabb& box : map.boxes()) {
-    append(corners, frame.at(axes, box.min));
-    append(corners, frame.at(axes, box.max));
-  }
   const geom::Aabb bounds = geom::to_enu(axes, spec.bounds);
-  Json out = {{"hash", map.hash()},
-              {"boxes", map.size()},
-              {"frame", geom::name(axes)},
-              {"min", as_json(bounds.min)},
-              {"max", as_json(bounds.max)},
-              {"corners", bundle.add(std::span<const float>(corners))},
-              {"bounds_from", spec.bounds_from},
-              {"labels", map.labels()},
-              {"colours", written_colours(map.labels())}};
-  if (map.labels().size() > 1) out["label"] = label_array(map, bundle);
-  const auto ids = short_ids(map.ids());
-  if (!ids.empty()) out["ids"] = bundle.add(std::span<const std::uint32_t>(ids));
+  Json out = {{"hash", map.hash()},         {"boxes", map.size()},
+              {"frame", geom::name(axes)},  {"min", as_json(bounds.min)},
+              {"max", as_json(bounds.max)}, {"bounds_from", spec.bounds_from},
+              {"labels", map.labels()},     {"colours", written_colours(map.labels())}};
+  out.update(box_layer(map, frame, bundle));
   if (spec.frame.origin) {
     out["latitude"] = spec.frame.origin->latitude;
     out["longitude"] = spec.frame.origin->longitude;

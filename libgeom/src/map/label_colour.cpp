@@ -42,4 +42,8 @@ Rgb8 label_colour(std::uint32_t number, std::string_view label) {
   return written_colour(label).value_or(kColours[number % kColours.size()]);
 }
 
+bool is_keep_out(std::string_view label) {
+  return label == "keep-out" || label.starts_with("keep-out: ") || label == "fence";
+}
+
 }  // namespace geom

@@ -33,6 +33,26 @@ std::size_t count(const geom::JsonFields& fields, const char* key) {
   return value.get<std::uint64_t>();
 }
 
+// The zone under that key: {"shape":"cylinder" or "box","reach":[x,y,z]}. Nothing without the key,
+// and where a word stands there instead ("vehicles").
+std::optional<Zone> zone_of(const geom::JsonFields& fields, const char* key) {
+  if (!fields.has(key) || fields.value(key).is_string()) return {};
+  const nlohmann::json& zone = fields.value(key);
+  const auto refuse = [&] {
+    fields.refuse({.key = std::string(key),
+                   .expected = "a cylinder or a box with its reach",
+                   .found = zone.dump()});
+  };
+  const nlohmann::json reach = zone.is_object() ? zone.value("reach", nlohmann::json()) : zone;
+  if (!reach.is_array() || reach.size() != 3) refuse();
+  Zone out{zone.value("shape", nlohmann::json()) == "cylinder", {}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!reach[i].is_number()) refuse();
+    out.reach[static_cast<Eigen::Index>(i)] = reach[i].get<double>();
+  }
+  return out;
+}
+
 }  // namespace
 
 PairSummary parse_pair_record(std::string_view json, std::string_view source, std::size_t line) {
@@ -52,6 +72,7 @@ PairSummary parse_pair_record(std::string_view json, std::string_view source, st
   pair.share = number(fields, "share");
   pair.across = number(fields, "across");
   pair.up = number(fields, "up");
+  pair.zone = zone_of(fields, "zone");
   return pair;
 }
 
@@ -66,6 +87,7 @@ TogetherSummary parse_together_record(std::string_view json, std::string_view so
   all.refused = count(fields, "refused");
   if (fields.has("left_out")) all.left_out = count(fields, "left_out");
   if (fields.has("map")) all.map = fields.text("map");
+  all.separation = zone_of(fields, "separation");
   all.flights_hash = fields.text("flights_hash");
   if (all.ok && (all.refused > 0 || all.left_out > 0)) {
     fields.refuse({.says = fmt::format("ok is true beside {} refused pairs and {} flights left out",

@@ -38,5 +38,14 @@ TEST(LabelColour, IsNotWrittenByOtherWords) {
   EXPECT_EQ(label_colour(2, "house"), label_colour(2));
 }
 
+TEST(KeepOut, IsNamedByItsLabel) {
+  for (const char* label : {"keep-out", "keep-out: stadium", "fence"}) {
+    EXPECT_TRUE(is_keep_out(label)) << label;
+  }
+  for (const char* label : {"", "keep-outs", "fences", "house", "Fence"}) {
+    EXPECT_FALSE(is_keep_out(label)) << label;
+  }
+}
+
 }  // namespace
 }  // namespace geom

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "render/drawing/drawn.h"
 #include "render/scene/windows.h"
 #include "support/random_city.h"
 
@@ -84,6 +85,45 @@ TEST(MapKey, TheBarIsAsLongAsItSays) {
     }
   }
   EXPECT_NEAR(longest, 200 * view.fx, 6);  // 200 m
+}
+
+TEST(MapKey, StandsInItsBandAndLeavesTheMap) {
+  const Aabb ground{{0, 0, 0}, {1000, 1000, 50}};
+  const int band = render::key_band(960, 960);
+  EXPECT_GT(band, 0);
+  Picture picture{960, 960, std::vector<Colour>(960 * 960, Colour{90, 90, 90}), {}, {}};
+  render::draw_map_key(picture, render::plan_view(ground, 960, 960 - band),
+                       {ground, render::ground_grid(ground), true});
+  const auto grey = std::find_if(picture.colour.begin(), picture.colour.end(), [](const Colour& c) {
+    return c != Colour{90, 90, 90};
+  });
+  EXPECT_EQ((grey - picture.colour.begin()) / 960, 960 - band);
+}
+
+TEST(MapKey, LettersAreAsWideAsTheyAreDrawn) {
+  for (const char* words : {"grid 100 m, fine 10 m", "Wiesn-7", "a", "\u00fcber"}) {
+    Picture picture{400, 40, std::vector<Colour>(400 * 40, Colour{255, 255, 255}), {}, {}};
+    render::draw_text(picture, {10, 12}, words, 2, {0, 0, 0});
+    int first = 400;
+    int last = 0;
+    for (int i = 0; i < 400 * 40; ++i) {
+      if (picture.colour[static_cast<std::size_t>(i)].r > 128) continue;
+      first = std::min(first, i % 400);
+      last = std::max(last, i % 400);
+    }
+    EXPECT_NEAR(first, 10, 3) << words;
+    EXPECT_NEAR(last, 10 + render::text_width(words, 2), 3) << words;
+  }
+}
+
+TEST(Marks, ADotWithinARingIsSeenAndSoIsTheRing) {
+  Picture picture{40, 40, std::vector<Colour>(40 * 40, Colour{200, 60, 60}), {}, {}};
+  render::draw_start(picture, {20, 20}, 1);
+  render::draw_goal(picture, {20, 20}, 1);
+  const auto at = [&](int x) { return picture.colour[static_cast<std::size_t>(20 * 40 + x)]; };
+  EXPECT_LT(at(20).r, 60);   // the dot
+  EXPECT_GT(at(24).g, 200);  // white between
+  EXPECT_LT(at(26).r, 130);  // the ring
 }
 
 TEST(MapKey, IsLeftOutOfASmallPicture) {

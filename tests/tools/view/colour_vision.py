@@ -31,3 +31,14 @@ def lab(colour, eye):
 
 def distance(one, other, eye):
     return sum((a - b) ** 2 for a, b in zip(lab(one, eye), lab(other, eye))) ** 0.5
+
+
+def luminance(colour):
+    red, green, blue = (linear(int(colour[i:i + 2], 16) / 255) for i in (1, 3, 5))
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+
+def contrast(one, other):
+    """Of WCAG 2.1: 1 to 21; words need 4.5, marks and lines 3."""
+    low, high = sorted((luminance(one), luminance(other)))
+    return (high + 0.05) / (low + 0.05)

@@ -275,8 +275,10 @@ def check_fleet(folder):
     for pair, said in zip(shown, refused, strict=True):
         assert [f"f{i}" for i in pair["of"]] == said["ids"] and abs(pair["time"] - (said["time"] - 100)) < 1e-9
         assert abs(pair["distance"] - math.hypot(said["across"], said["up"])) < 1e-9
+        assert pair["across"] == said["across"] and pair["up"] == said["up"] and pair["asked"] == [1.5, 1.5]
     check = Page(folder / "fleet.html").meta["fleet"]["check"]
     assert not check["ok"] and check["refused"] == len(refused) and check["pairs"] == 40 * 39 // 2
+    assert check["asked"] == [1.5, 1.5]
     check_verdict(folder, lines[-1])
     few = [json.dumps({**r, "start": None, "earliest": None, "epoch": None}) for r in records[:5]]
     (folder / "few.jsonl").write_text("\n".join(few) + "\n")  # no times, few flights: as ever
@@ -327,7 +329,45 @@ def check_approaches(page, records, fleet):
         begin, end = max(a["start"], b["start"]), min(a["start"] + a["duration"], b["start"] + b["duration"])
         sampled = min(math.dist(at(a, t), at(b, t)) for t in (begin + (end - begin) * k / 300 for k in range(301)))
         assert pair["distance"] <= sampled + 2e-3, (pair, sampled)
-        assert all(nearest[i] <= pair["distance"] + 1e-5 for i in pair["of"])
+        assert abs(math.hypot(pair["across"], pair["up"]) - pair["distance"]) < 1e-9
+        assert all(nearest[3 * i] <= pair["distance"] + 1e-5 for i in pair["of"])
+    for i in range(len(records)):
+        distance, across, up = nearest[3 * i:3 * i + 3]
+        assert math.isnan(distance) or abs(math.hypot(across, up) - distance) < 1e-5 * max(1, distance)
+
+
+def check_levels(folder):
+    """Of many boxes: every box is in the page, to the millimetre, and blocks of each level hold the boxes of their tile."""
+    random.seed(8)
+    rows = []
+    for house in range(700):
+        x, y, top = random.uniform(-900, 900), random.uniform(-900, 900), random.uniform(4, 40)
+        rows += [(x + 0.8 * k, y + random.random(), 0, x + 0.8 * (k + 1), y + 12 + random.random(), top) for k in range(33)]
+    table = "min_x_m,min_y_m,min_z_m,max_x_m,max_y_m,max_z_m,label\n" + "".join(",".join(map(str, r)) + ",\n" for r in rows)
+    (folder / "many.csv").write_text(table)
+    run("skyway-import", "-q", folder / "many.csv", "-o", folder / "many")
+    run("skyway-view", folder / "many", "-o", folder / "many.html")
+    page = Page(folder / "many.html")
+    layer, origin = page.meta["map"], page.meta["origin"]
+    boxes = page.boxes(layer["corners"], layer["step"])
+    assert len(boxes) == layer["boxes"] == len(rows)
+    ids = page.array(layer["ids"])
+    assert sorted(ids) == sorted(set(ids))
+    by_id = {line: row[:6] for line, row in enumerate(rows, 2)}  # an id is the line of the table
+    for i, (low, high) in zip(ids, boxes, strict=True):
+        close([*(low[k] + origin[k] for k in range(3)), *(high[k] + origin[k] for k in range(3))], by_id[i], 2e-3)
+    tiles = page.array(layer["tiles"])
+    assert tiles[0] == 0 and tiles[-1] == len(boxes) and list(tiles) == sorted(tiles)
+    assert layer["far"] and layer["far"][-1]["count"] < len(boxes) / 5
+    for level in layer["far"]:
+        blocks, first = page.boxes(level["corners"], layer["step"]), page.array(level["first"])
+        assert len(first) == len(tiles) and len(page.columns(level["look"])[0]) == len(blocks) == first[-1]
+        for t in random.sample(range(len(tiles) - 1), 12):
+            near = blocks[first[t]:first[t + 1]]
+            for low, high in boxes[tiles[t]:tiles[t + 1]]:
+                for share in (0.01, 0.5, 0.99):
+                    p = [a + share * (b - a) for a, b in zip(low, high)]
+                    assert any(all(a - 2e-3 <= v <= b + 2e-3 for a, v, b in zip(*block[:1], p, *block[1:])) for block in near), (t, p)
 
 
 def main(folder):
@@ -364,6 +404,7 @@ def main(folder):
     run("skyway-view", *files, "--title", "A < B & C", "-o", folder / "again.html")
     assert (folder / "again.html").read_bytes() == page_file.read_bytes()
     check_imported(folder)
+    check_levels(folder)
     check_fleet(folder)
 
 

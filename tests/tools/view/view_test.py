@@ -11,6 +11,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import zlib
 
 import colour_vision
 from viewer import Viewer
@@ -271,8 +272,10 @@ def shows_failure(browser, folder, page):
     run("skyway-view", *[folder / f for f in ("map", "path", "trajectory", "failed")], "--title", "Failed", "-o", page)
     viewer = Viewer(browser, page)
     assert viewer.get("checks") == [{"id": "q1", "ok": False, "reason": report["reason"]}]
-    browser.click(".check.failed button")
     place = [report["place"][k] for k in (1, 0, 2)]
+    assert all(abs(a - b) < 1e-3 for a, b in zip(viewer.get("target"), place)) and viewer.get("distance") <= 60  # it opens there
+    browser.key("h")
+    browser.click(".check.failed button")
     assert all(abs(a - b) < 1e-3 for a, b in zip(viewer.get("target"), place)), viewer.get("target")
     assert abs(viewer.get("time") - report["time"]) < 1e-6
     assert viewer.get("picked") is not None
@@ -286,10 +289,41 @@ def shows_large_city(browser, folder, page):
     run("skyway-import", "-q", "-", "-o", folder / "large", text=table)
     run("skyway-view", folder / "large", "--title", "A large city", "-o", page)
     viewer = Viewer(browser, page, "dark")
+    unpacks(viewer)
     assert viewer.get("boxes") >= 100000 and viewer.get("triangles") <= 2 * 6 * viewer.get("boxes") + 100
-    assert viewer.get("drawCalls") <= 5  # the boxes twice: first for their outlines
+    assert viewer.get("drawCalls") <= 6  # boxes and blocks twice: first for their outlines
     viewer.figures("large city")
     viewer.picture("large-dark")
+    shows_detail_near(viewer)
+
+
+def shows_detail_near(viewer):
+    """From afar few blocks are drawn; near the camera the boxes themselves, which can be picked."""
+    near, far = viewer.get("drawn")
+    assert near + far < viewer.get("boxes") / 4, (near, far)
+    browser = viewer.browser
+    frames = viewer.get("frames")
+    browser.run("document.getElementById('view').focus()")
+    for _ in range(20):
+        browser.key("+")
+    viewer.until(f"skyway.frames > {frames} && skyway.drawn[0] > 0")
+    browser.click("#view")
+    assert viewer.get("picked") is not None
+    assert "Id in the source" in browser.run("return document.getElementById('picked').textContent")
+    viewer.picture("large-near")
+    middle = browser.run("const i = skyway.picked, c = stage.boxes.corners; return [c[6 * i + 3] > c[6 * i], c[6 * i + 5] > 0]")
+    assert middle == [True, True]
+
+
+def unpacks(viewer):
+    """Raw deflate data of every kind of block, as zlib wrote them."""
+    plain = bytes(i * i % 251 for i in range(9000)) + bytes(40000) + os.urandom(3000)
+    for level, kind in ((0, zlib.Z_DEFAULT_STRATEGY), (1, zlib.Z_DEFAULT_STRATEGY), (9, zlib.Z_DEFAULT_STRATEGY), (9, zlib.Z_FIXED)):
+        packer = zlib.compressobj(level, zlib.DEFLATED, -15, 9, kind)
+        data = base64.b64encode(packer.compress(plain) + packer.flush()).decode()
+        found = viewer.browser.run("const d = Uint8Array.from(atob(arguments[0]), c => c.charCodeAt(0));"
+                                   "return btoa(Array.from(inflated(d, arguments[1]), v => String.fromCharCode(v)).join(''))", data, len(plain))
+        assert base64.b64decode(found) == plain, (level, kind)
 
 
 def shows_labels(browser, folder, page):
@@ -333,6 +367,7 @@ def shows_room(browser, folder, page):
                           "s => getComputedStyle(s).backgroundColor)")
     assert colours == ["rgb(255, 0, 0)", "rgb(0, 0, 255)"], colours
     viewer.picture("room")
+    closes_with_stubs(browser, folder, page)
     (folder / "west.csv").write_text("lat0 37.79248, lon0 -122.39745\nposX,posY,posZ,halfSizeX,halfSizeY,halfSizeZ\n0,0,5,5,5,5\n")
     run("skyway-import", "-q", folder / "west.csv", "-o", folder / "west")
     run("skyway-view", folder / "west", "-o", page)
@@ -341,6 +376,20 @@ def shows_room(browser, folder, page):
     contents = browser.run("return document.getElementById('side').textContent")
     assert "37.79248° N, 122.39745° W" in contents, contents
     viewer.quiet()
+
+
+def closes_with_stubs(browser, folder, page):
+    """Walls between the camera and the room are cut down; dark pillars are seen in the dark."""
+    (folder / "lab.txt").write_text("boundary 0 0 0 8 6 3\nblock 0 0 0 0.1 6 3 200 200 200\nblock 7.9 0 0 8 6 3 200 200 200\n"
+                                    "block 0 0 0 8 0.1 3 200 200 200\nblock 0 0 2.9 8 6 3 90 90 90\nblock 3 3 0 3.3 3.3 3 16 16 20\n")
+    run("skyway-import", "-q", folder / "lab.txt", "-o", folder / "lab")
+    run("skyway-view", folder / "lab", "--title", "A lab", "-o", page)
+    for scheme in ("light", "dark"):
+        viewer = Viewer(browser, page, scheme)
+        assert sorted(browser.run("return [...stage.boxes.traits].map(t => t >> 4)")) == [0, 1, 2, 3, 5]
+        viewer.picture(f"lab-{scheme}")
+    seen = browser.run("return contrastOf(seenColour('#101014'), theme.colour('ground'))")
+    assert seen >= 3, seen
 
 
 def make_missions(folder, count):
@@ -430,7 +479,7 @@ def shows_fleet(browser, folder, page):
     assert abs(viewer.get("duration") - (last - 60)) < 1e-3 and viewer.get("fleet")["flights"] == 120
     assert viewer.get("drawCalls") < 25, viewer.get("drawCalls")
     viewer.figures("120 flights")
-    assert "06:31:00" in browser.run("return document.querySelector('.clock').textContent")
+    opens_when_busiest(viewer, flights)
     for share in (0.3, 0.6):
         browser.pointer(("move", *browser.centre("#scrub", share)), ("down",), ("up",))
         time = viewer.get("time") + 60
@@ -443,6 +492,43 @@ def shows_fleet(browser, folder, page):
     browser.click("#theme")
     browser.key("h")
     viewer.picture("fleet-dark")
+
+
+def airborne_at(flights, time):
+    return sum(f["start"] <= time <= f["start"] + f["duration"] for f in flights)
+
+
+def opens_when_busiest(viewer, flights):
+    """When the most flights are in the air, with a summary in front."""
+    most = max(airborne_at(flights, f["start"]) for f in flights)
+    viewer.until(f"skyway.fleet.airborne === {most}")
+    assert airborne_at(flights, viewer.get("time") + 60) == most
+    tab = "return document.querySelector('[role=tab][aria-selected=true]').textContent"
+    assert viewer.browser.run(tab) == "Summary"
+    viewer.picture("fleet-summary")
+    viewer.browser.click("#densest")
+    assert airborne_at(flights, viewer.get("time") + 60) == most
+
+
+def sets_refused_apart(browser, folder, page):
+    """Flights that were refused before are no failure of those that fly: a sentence in green, and they beside it."""
+    flights = [json.loads(line) for line in (folder / "fleet.flights").read_text().splitlines()]
+    above = [{**f, "id": f"g{i}", "start": 60 + 600 * i} for i, f in enumerate(flights[:3])]
+    refused = [{"type": "trajectory", "id": f"r{i}", "status": "infeasible", "message": "no way out", "segments": []} for i in range(2)]
+    (folder / "calm").write_text("".join(json.dumps(r) + "\n" for r in above + refused))
+    run("skyway-check", "-q", folder / "houses", folder / "calm", "--together", "--separation", "10,5", "--parked", "gone",
+        "-o", folder / "calm.report", yes=False)
+    together = json.loads((folder / "calm.report").read_text().splitlines()[-1])
+    assert not together["ok"] and together["refused"] == 0 and together["left_out"] == 2, together
+    run("skyway-view", folder / "houses", folder / "calm", folder / "calm.report", "-o", page)
+    viewer = Viewer(browser, page)
+    lines = browser.run("return [...document.querySelectorAll('.summary-panel .verdict-line')].map(l => [l.className, l.textContent])")
+    assert lines and all("good" in kind and "bad" not in kind for kind, _ in lines), lines
+    assert "All 3 pairs of 3 flights are proved apart." in lines[0][1], lines
+    assert "2 flights were refused before" in browser.run("return document.querySelector('.summary-panel .aside').textContent")
+    assert not browser.run("return [...document.querySelectorAll('#side .bad, .summary .bad')].some(e => e.textContent)")
+    assert "failed" not in browser.run("return document.getElementById('summary').textContent")
+    viewer.picture("fleet-calm")
 
 
 def finds_flights(viewer):
@@ -475,7 +561,10 @@ def jumps_to_pairs(viewer, report):
     """To the nearest that the check refused, by the key and by the list."""
     browser = viewer.browser
     refused = sorted((r for r in report if r["type"] == "pair"), key=lambda r: r["share"])
-    assert refused and "failed the check" in browser.run("return document.querySelector('#side').textContent")
+    said = browser.run("return document.querySelector('#side').textContent").replace("\u202f", " ")
+    assert refused and f"{len(refused)} of 7,140 pairs are not proved apart." in said, said
+    first = "{} m across, {} m up; 10 or 5 needed".format(*(f"{refused[0][k]:.2f}".rstrip("0").rstrip(".") for k in ("across", "up")))
+    assert first in said, (first, said)
     browser.run("document.activeElement.blur()")
     browser.key("j")
     pair = viewer.get("pair")
@@ -564,6 +653,20 @@ def shows_real_city(browser, folder, page):
     viewer.picture("san-francisco")
 
 
+def shows_vienna(browser, folder, page):
+    """A whole city: a file of a few megabytes, and a first frame of few boxes."""
+    source = pathlib.Path(os.environ["SKYWAY_REALDATA"]) / "metropolis" / "vienna_buildings.gpkg"
+    if not (bin_dir / "skyway-footprints").exists():
+        return
+    run("skyway-footprints", "-q", source, "--height-attribute", "bldg_h_max", "--default-height", "15", "-o", folder / "vienna")
+    run("skyway-view", folder / "vienna", "-o", page)
+    assert page.stat().st_size < 8e6, page.stat().st_size
+    viewer = Viewer(browser, page)
+    assert viewer.get("boxes") > 500000 and sum(viewer.get("drawn")) < 40000, viewer.get("drawn")
+    viewer.figures("Vienna")
+    viewer.picture("vienna")
+
+
 def works_without_webgl(folder, page):
     run("skyway-view", *[folder / f for f in ("map", "trajectory")], "-o", page)
     with Browser(extra=["--disable-3d-apis"]) as browser:
@@ -587,6 +690,7 @@ def main(folder):
         shows_large_city(browser, folder, page)
         shows_missions(browser, folder, page)
         shows_fleet(browser, folder, page)
+        sets_refused_apart(browser, folder, page)
         shows_buildings(browser, folder, page)
         shows_room(browser, folder, page)
         shows_labels(browser, folder, page)
@@ -595,6 +699,7 @@ def main(folder):
             real = folder / "real"
             real.mkdir()
             shows_real_city(browser, real, page)
+            shows_vienna(browser, real, page)
         else:
             print("the San Francisco page was left out: SKYWAY_REALDATA is not set")
     works_without_webgl(demo, page)

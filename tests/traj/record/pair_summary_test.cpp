@@ -28,6 +28,7 @@ TEST(PairSummary, IsWhatWasWritten) {
   EXPECT_EQ(pair.time, result.refused[0].result.time);
   EXPECT_EQ(pair.share, result.refused[0].result.share);
   EXPECT_NEAR(pair.up, 1, 1e-12);
+  EXPECT_EQ(pair.zone, (Zone{false, {3, 3, 3}}));
   const TogetherSummary all = parse_together_record(to_json_line(result, task, 3), "f", 2);
   EXPECT_FALSE(all.ok);
   EXPECT_EQ(all.flights, 2u);
@@ -36,6 +37,14 @@ TEST(PairSummary, IsWhatWasWritten) {
   EXPECT_EQ(all.left_out, 3u);
   EXPECT_EQ(all.map, "sha256:0");
   EXPECT_EQ(all.flights_hash, "12ab");
+  EXPECT_FALSE(all.separation);  // the vehicles' sizes say it
+}
+
+TEST(PairSummary, SaysWhatWasAsked) {
+  TogetherTask task{{"a", "b"}, {}, {}, "sha256:0", "12ab"};
+  task.rule.spacing.zone = cylinder(5, 3);
+  const std::string line = to_json_line(TogetherResult{}, task, 0);
+  EXPECT_EQ(parse_together_record(line, "f", 1).separation, cylinder(5, 3));
 }
 
 void expect_refused(const std::string& json, const std::string& why) {
@@ -57,6 +66,8 @@ void expect_refused(const std::string& json, const std::string& why) {
 TEST(PairSummary, RefusesWhatIsNone) {
   const std::string rest = R"("reason":"separation","time":1,"share":0.5,"across":1,"up":0})";
   expect_refused(R"({"type":"pair","ids":["a"],"ok":false,)" + rest, "ids");
+  expect_refused(R"({"type":"pair","ids":["a","b"],"ok":false,"zone":{"reach":[1,2]},)" + rest,
+                 "zone");
   expect_refused(R"({"type":"pair","ids":["a",1],"ok":false,)" + rest, "ids");
   expect_refused(R"({"type":"pair","ids":["a","b"],"ok":true,)" + rest, "ok");
   expect_refused(R"({"type":"pair","ids":["a","b"],"ok":0,)" + rest, "ok");

@@ -9,6 +9,9 @@
 namespace render {
 namespace {
 
+constexpr double kUnit = 8 / kCapital;  // pixels of a unit of the font, times the scale
+constexpr double kPen = 1.25;           // pixels, times the scale
+
 std::size_t index(const Picture& picture, int x, int y) {
   return static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
          static_cast<std::size_t>(x);
@@ -82,11 +85,12 @@ void draw_rectangle(Picture& picture, const Plate& plate, Colour colour, double 
   });
 }
 
-void draw_line(Picture& picture, std::span<const Spot> points, double width, Colour colour) {
+void draw_line(Picture& picture, std::span<const Spot> points, double width, Colour colour,
+               double share) {
   if (points.size() == 2) {
     const auto [low, high] = around(points[0], points[1], width);
     paint(picture, low, high, colour, [&](int x, int y) {
-      return Stroke{points[0], points[1], width}.cover(x, y);
+      return share * Stroke{points[0], points[1], width}.cover(x, y);
     });
     return;
   }
@@ -101,33 +105,61 @@ void draw_line(Picture& picture, std::span<const Spot> points, double width, Col
     });
   }
   for (std::size_t i = 0; i < mask.size(); ++i) {
-    if (mask[i] > 0) blend(picture.colour[i], colour, mask[i]);
+    if (mask[i] > 0) blend(picture.colour[i], colour, share * mask[i]);
   }
 }
 
-void draw_disc(Picture& picture, Spot centre, double radius, Colour colour) {
+void draw_disc(Picture& picture, Spot centre, double radius, Colour colour, double share) {
   const double reach = radius + 0.5;
   paint(picture, {centre.x - reach, centre.y - reach}, {centre.x + reach, centre.y + reach}, colour,
-        [&](int x, int y) { return reach - std::hypot(x - centre.x, y - centre.y); });
+        [&](int x, int y) {
+          return share * std::clamp(reach - std::hypot(x - centre.x, y - centre.y), 0.0, 1.0);
+        });
+}
+
+void draw_ring(Picture& picture, Spot centre, double radius, double width, Colour colour,
+               double share) {
+  const double reach = radius + 0.5 * width + 0.5;
+  paint(picture, {centre.x - reach, centre.y - reach}, {centre.x + reach, centre.y + reach}, colour,
+        [&](int x, int y) {
+          const double off = std::abs(std::hypot(x - centre.x, y - centre.y) - radius);
+          return share * std::clamp(0.5 * width + 0.5 - off, 0.0, 1.0);
+        });
 }
 
 double text_width(std::string_view words, int scale) {
-  return words.empty() ? 0 : static_cast<double>(6 * words.size() - 1) * scale;
+  double units = 0;
+  const auto letters = letters_of(words);
+  for (const Letter* letter : letters) units += letter->width + kBetween;
+  return letters.empty() ? 0 : (units - kBetween) * kUnit * scale;
 }
 
 void draw_text(Picture& picture, Spot corner, std::string_view words, int scale, Colour colour) {
-  const double left = std::round(corner.x);
-  const double top = std::round(corner.y);
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    for (int y = 0; y < 7; ++y) {
-      for (int x = 0; x < 5; ++x) {
-        if (!dot(words[i], x, y)) continue;
-        const Spot at{left + static_cast<double>(6 * i + static_cast<std::size_t>(x)) * scale,
-                      top + y * scale};
-        const double side = scale;
-        draw_rectangle(picture, {at, side, side}, colour);
+  const double unit = kUnit * scale;
+  const double width = kPen * scale;
+  double left = corner.x;
+  for (const Letter* letter : letters_of(words)) {
+    std::vector<Stroke> lines;
+    Spot low{left, corner.y + kCapital * unit};
+    Spot high = low;
+    const auto spot = [&](const PenPoint& p) {
+      const Spot at{left + p.x * unit, corner.y + (kCapital - p.y) * unit};
+      low = {std::min(low.x, at.x), std::min(low.y, at.y)};
+      high = {std::max(high.x, at.x), std::max(high.y, at.y)};
+      return at;
+    };
+    for (const auto& stroke : letter->strokes) {
+      for (std::size_t i = 0; i + 1 < stroke.size(); ++i) {
+        lines.push_back({spot(stroke[i]), spot(stroke[i + 1]), width});
       }
     }
+    const auto [from, to] = around(low, high, width);
+    paint(picture, from, to, colour, [&](int x, int y) {
+      float most = 0;
+      for (const Stroke& line : lines) most = std::max(most, line.cover(x, y));
+      return most;
+    });
+    left += (letter->width + kBetween) * unit;
   }
 }
 

@@ -15,7 +15,7 @@ struct Spot {  // pixels; the centre of pixel (i, j) is at (i, j)
   double y = 0;
 };
 
-struct Plate {
+struct Plate {       // a rectangle
   Spot corner;       // the upper left one
   double width = 0;  // pixels
   double height = 0;
@@ -24,11 +24,15 @@ struct Plate {
 void fill(Picture& picture, Colour colour);
 // `share` of the colour: what is below shows through where it is less than 1.
 void draw_rectangle(Picture& picture, const Plate& plate, Colour colour, double share = 1);
-void draw_line(Picture& picture, std::span<const Spot> points, double width, Colour colour);
-void draw_disc(Picture& picture, Spot centre, double radius, Colour colour);
+void draw_line(Picture& picture, std::span<const Spot> points, double width, Colour colour,
+               double share = 1);
+void draw_disc(Picture& picture, Spot centre, double radius, Colour colour, double share = 1);
+// A circle of a line so wide, open in the middle.
+void draw_ring(Picture& picture, Spot centre, double radius, double width, Colour colour,
+               double share = 1);
 
-// Letters of 5 x 7 dots, each `scale` pixels wide, from their upper left corner. Small letters,
-// digits and . , - / : ( ) = %; capitals become small, anything else a blank.
+// Letters (font.h) whose capitals are 8 pixels high, times `scale`, from the upper left corner of a
+// capital.
 void draw_text(Picture& picture, Spot corner, std::string_view words, int scale, Colour colour);
 double text_width(std::string_view words, int scale);
 

@@ -1,17 +1,37 @@
 #include "drawn.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "geom/text/excerpt.h"
+#include "plot/palette.h"
 
 namespace render {
 namespace {
 
-// Okabe and Ito: vermilion, bluish green, reddish purple, blue, orange.
-constexpr Colour kWays[] = {
-    {213, 94, 0}, {0, 158, 115}, {204, 121, 167}, {0, 114, 178}, {230, 159, 0}};
+constexpr std::uint8_t digit(char c) {
+  return static_cast<std::uint8_t>(c <= '9' ? c - '0' : c - 'a' + 10);
+}
+
+// Of "#rrggbb".
+constexpr Colour colour_of(std::string_view hex) {
+  const auto part = [&](std::size_t at) {
+    return static_cast<std::uint8_t>(16 * digit(hex[at]) + digit(hex[at + 1]));
+  };
+  return {part(1), part(3), part(5)};
+}
+
+// Of the i-th way: the colours of plots take turns.
+Colour way_colour(std::size_t i) { return colour_of(plot::colour(i)); }
 constexpr Colour kTrees[] = {{86, 140, 196}, {150, 110, 180}};
 constexpr Colour kWhite{255, 255, 255};
 constexpr Colour kVehicle{24, 24, 24};
+constexpr Colour kZone{163, 71, 0};
 constexpr double kStep = 0.05;  // seconds between the points of a way
+constexpr double kFaint = 0.35;
+constexpr std::ptrdiff_t kNamed = 16;  // ways whose ids are written
+constexpr std::size_t kLongest = 20;   // letters of an id
 
 std::uint32_t packed(Colour c) {
   return (std::uint32_t{c.r} << 16) | (std::uint32_t{c.g} << 8) | c.b;
@@ -24,6 +44,25 @@ std::vector<Spot> spots(const View& view, std::span<const Vec3> points) {
     out.push_back({at.x(), at.y()});
   }
   return out;
+}
+
+// Whether a box stands before a point that was projected to `at`.
+bool hidden(const PictureScene& scene, const View& view, const Vec3& at) {
+  if (!(at.x() >= 0 && at.y() >= 0 && at.x() < view.width && at.y() < view.height)) return false;
+  const Hit hit = scene.cast(Rays(view), static_cast<int>(at.x()), static_cast<int>(at.y()))[0];
+  return hit.kind == Hit::Kind::box && hit.depth < at.z() * (1 - 1e-3) - 0.05;
+}
+
+void draw_name(Picture& picture, Spot at, const Line& line, int scale) {
+  const std::string words = geom::excerpt(line.id, kLongest);
+  const double width = text_width(words, scale);
+  const double right = picture.width - width - 6.0 * scale;
+  const Spot corner{std::min(at.x + 11.0 * scale, right), std::max(at.y - 13.0 * scale, 4.0)};
+  draw_rectangle(
+      picture,
+      {{corner.x - 3.0 * scale, corner.y - 2.0 * scale}, width + 6.0 * scale, 12.0 * scale}, kWhite,
+      0.75);
+  draw_text(picture, corner, words, scale, kVehicle);
 }
 
 }  // namespace
@@ -39,17 +78,18 @@ std::vector<Line> lines_of(const cli::Contents& contents, std::span<const Motion
           {{geom::to_enu(axes, tree.points[tree.parent[i]]), geom::to_enu(axes, tree.points[i])},
            kTrees[tree.tree[i]],
            1.2,
-           false});
+           false,
+           ""});
     }
   }
   std::size_t next = 0;
   for (const auto& [path, source, n] : contents.paths) {
-    Line line{{}, kWays[next++ % std::size(kWays)], 3, true};
+    Line line{{}, way_colour(next++), 3, true, path.id};
     for (const Vec3& p : path.points) line.points.push_back(geom::to_enu(axes, p));
     out.push_back(std::move(line));
   }
   for (const Motion& motion : motions) {
-    out.push_back({motion.way(kStep), kWays[next++ % std::size(kWays)], 3, true});
+    out.push_back({motion.way(kStep), way_colour(next++), 3, true, motion.id()});
   }
   return out;
 }
@@ -80,23 +120,56 @@ void draw_lines(Picture& picture, const View& view, std::span<const Line> lines)
   }
 }
 
-void draw_start(Picture& picture, Spot at, double scale) {
-  draw_disc(picture, at, 6.5 * scale, kVehicle);
-  draw_disc(picture, at, 4.5 * scale, kWhite);
-}
-
-void draw_goal(Picture& picture, Spot at, double scale) {
-  draw_disc(picture, at, 6.5 * scale, kWhite);
-  draw_disc(picture, at, 4.5 * scale, kVehicle);
-}
-
-void draw_ends(Picture& picture, const View& view, std::span<const Line> lines, double scale) {
+void draw_faintly(Picture& picture, const View& view, std::span<const Line> lines) {
   for (const Line& line : lines) {
-    if (!line.way || line.points.empty()) continue;
-    const Vec3 start = project(view, line.points.front());
-    const Vec3 goal = project(view, line.points.back());
-    if (view.parallel || start.z() > 0) draw_start(picture, {start.x(), start.y()}, scale);
-    if (view.parallel || goal.z() > 0) draw_goal(picture, {goal.x(), goal.y()}, scale);
+    if (line.way) draw_line(picture, spots(view, line.points), line.width, line.colour, kFaint);
+  }
+}
+
+void draw_start(Picture& picture, Spot at, double scale, double share) {
+  draw_ring(picture, at, 6.5 * scale, 4.5 * scale, kWhite, share);
+  draw_ring(picture, at, 6.5 * scale, 2 * scale, kVehicle, share);
+}
+
+void draw_goal(Picture& picture, Spot at, double scale, double share) {
+  draw_disc(picture, at, 4.5 * scale, kWhite, share);
+  draw_disc(picture, at, 3.2 * scale, kVehicle, share);
+}
+
+void draw_ends(Picture& picture, const View& view, const PictureScene& scene,
+               std::span<const Line> lines, int scale) {
+  const auto each = [&](const auto& end_of, const auto& draw) {
+    for (const Line& line : lines) {
+      if (!line.way || line.points.empty()) continue;
+      const Vec3 at = project(view, end_of(line.points));
+      if (!view.parallel && at.z() <= 0) continue;
+      draw(line, Spot{at.x(), at.y()}, hidden(scene, view, at) ? kFaint : 1);
+    }
+  };
+  const auto start = [](const auto& points) { return points.front(); };
+  const auto goal = [](const auto& points) { return points.back(); };
+  each(start, [&](const Line&, Spot at, double share) { draw_start(picture, at, scale, share); });
+  each(goal, [&](const Line&, Spot at, double share) { draw_goal(picture, at, scale, share); });
+  const auto ways = std::count_if(lines.begin(), lines.end(), [](const Line& l) { return l.way; });
+  if (ways > kNamed) return;
+  each(start, [&](const Line& line, Spot at, double) { draw_name(picture, at, line, scale); });
+}
+
+void draw_zones(Picture& picture, const View& view, std::span<const geom::Aabb> zones) {
+  for (const geom::Aabb& zone : zones) {
+    const auto corner = [&](int i) {
+      const Vec3 at =
+          project(view, {(i & 1 ? zone.max : zone.min).x(), (i & 2 ? zone.max : zone.min).y(),
+                         (i & 4 ? zone.max : zone.min).z()});
+      return Spot{at.x(), at.y()};
+    };
+    for (int i = 0; i < 8; ++i) {
+      for (const int bit : {1, 2, 4}) {
+        if (i & bit) continue;
+        const std::array<Spot, 2> edge{corner(i), corner(i | bit)};
+        draw_line(picture, edge, 1.4, kZone, 0.7);
+      }
+    }
   }
 }
 

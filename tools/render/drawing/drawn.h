@@ -3,6 +3,7 @@
 // Paths, trees and ways of vehicles as they are drawn on maps and in overviews.
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "canvas.h"
@@ -14,9 +15,10 @@ namespace render {
 
 struct Line {
   std::vector<Vec3> points;  // ENU
-  Colour colour;
+  Colour colour{};
   double width = 3;  // pixels
   bool way = false;  // from a start to a goal, which are marked
+  std::string id;    // of a way
 };
 
 // Of everything that is there: trees first, then paths, then ways.
@@ -26,11 +28,17 @@ std::vector<Line> lines_of(const cli::Contents& contents, std::span<const Motion
 std::vector<Tubes> tubes_of(std::span<const Line> lines, double metres);
 
 void draw_lines(Picture& picture, const View& view, std::span<const Line> lines);
-// A white disc at the start and a dark one at the goal of each way, `scale` times their size.
-void draw_ends(Picture& picture, const View& view, std::span<const Line> lines, double scale);
-// The two discs themselves.
-void draw_start(Picture& picture, Spot at, double scale);
-void draw_goal(Picture& picture, Spot at, double scale);
+// Ways once more, faintly, so that what stands before them does not hide them.
+void draw_faintly(Picture& picture, const View& view, std::span<const Line> lines);
+// A ring at the start and a dot at the goal of each way, `scale` times their size; faint where a
+// box of the scene hides them. With few ways also their ids.
+void draw_ends(Picture& picture, const View& view, const PictureScene& scene,
+               std::span<const Line> lines, int scale);
+// The two marks themselves. A dot within a ring is seen.
+void draw_start(Picture& picture, Spot at, double scale, double share = 1);
+void draw_goal(Picture& picture, Spot at, double scale, double share = 1);
+// Edges of boxes as thin lines: of the air that is kept out of.
+void draw_zones(Picture& picture, const View& view, std::span<const geom::Aabb> zones);
 // A disc that points to where the vehicle looks.
 void draw_vehicle(Picture& picture, const View& view, const Pose& pose);
 

@@ -1,12 +1,28 @@
 #pragma once
 
-// Letters of 5 x 7 dots.
+// Letters as strokes of a pen, for words in pictures at any size.
 
-#include <cstdint>
+#include <string_view>
+#include <vector>
 
 namespace render {
 
-// Whether the dot in column x (0 to 4) and row y (0 to 6, from the top) of a character is set.
-bool dot(char character, int x, int y);
+struct PenPoint {
+  double x = 0;  // to the right, from the letter's left edge
+  double y = 0;  // up, from the line that it stands on
+};
+
+struct Letter {
+  double width = 0;
+  std::vector<std::vector<PenPoint>> strokes;
+};
+
+// Of these units capitals are so high, and small letters without a stem.
+inline constexpr double kCapital = 7;
+inline constexpr double kSmall = 5;
+inline constexpr double kBetween = 1.7;  // from one letter to the next
+
+// One for each character of UTF-8 text; characters that the font lacks are a middle dot.
+std::vector<const Letter*> letters_of(std::string_view words);
 
 }  // namespace render

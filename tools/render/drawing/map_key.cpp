@@ -62,23 +62,23 @@ std::string grid_words(const View& view, const MapKey& key) {
   return words;
 }
 
-// Rows in the lower left corner, on one plate.
-class Corner {
- public:
-  Corner(Picture& picture, int scale, int rows, double width)
-      : picture_(picture), scale_(scale), x_(14.0 * scale) {
-    const double height = rows * kRow * scale + 6.0 * scale;
-    y_ = picture.height - 8.0 * scale - height;
-    draw_plate(picture, {8.0 * scale, y_}, width + 12.0 * scale, height);
-    y_ += 6.0 * scale;
-  }
-  void words(std::string_view text, double indent = 0) {
-    draw_text(picture_, {x_ + indent, y_}, text, scale_, kInk);
-  }
-  Spot spot(double dx) const { return {x_ + dx, y_ + 3.0 * scale_}; }
-  void next() { y_ += kRow * scale_; }
+constexpr double kRow = 14;   // pixels, times the scale
+constexpr double kBand = 44;  // the band of the key, times the scale
 
-  static constexpr double kRow = 13;  // pixels, times the scale
+// Words and marks side by side in the band below the map.
+class Row {
+ public:
+  Row(Picture& picture, int scale, int row)
+      : picture_(picture),
+        scale_(scale),
+        x_(12.0 * scale),
+        y_(picture.height - (kBand - 9 - row * kRow) * scale) {}
+  void words(std::string_view text) {
+    draw_text(picture_, {x_, y_}, text, scale_, kInk);
+    skip(text_width(text, scale_) / scale_);
+  }
+  void skip(double width) { x_ += width * scale_; }
+  Spot spot(double dx = 0) const { return {x_ + dx, y_ + 4.0 * scale_}; }
 
  private:
   Picture& picture_;
@@ -87,38 +87,35 @@ class Corner {
   double y_;
 };
 
-// "start" and "goal" beside their discs.
-void draw_ends_row(Picture& picture, Corner& corner, int scale) {
-  const double second = 20.0 * scale + text_width("start", scale);
-  draw_start(picture, corner.spot(4.0 * scale), 0.75 * scale);
-  corner.words("start", 12.0 * scale);
-  draw_goal(picture, corner.spot(second + 8.0 * scale), 0.75 * scale);
-  corner.words("goal", second + 16.0 * scale);
+// "start" and "goal" beside their marks.
+void add_ends(Picture& picture, Row& row, int scale) {
+  row.skip(6);
+  draw_start(picture, row.spot(), 0.75 * scale);
+  row.skip(11);
+  row.words("start");
+  row.skip(14);
+  draw_goal(picture, row.spot(), scale);
+  row.skip(9);
+  row.words("goal");
+  row.skip(14);
 }
 
-double ends_width(int scale) {
-  return 36.0 * scale + text_width("start", scale) + text_width("goal", scale);
-}
-
-void draw_corner(Picture& picture, const View& view, const MapKey& key, int scale) {
-  const std::string grid = grid_words(view, key);
-  const double bar = view.parallel ? round_length(kBarOfPicture * view.width / view.fx) : 0;
-  const double bar_pixels = bar * view.fx;
-  const std::string bar_words = length_words(bar);
-  double width = text_width(grid, scale);
-  if (key.ways) width = std::max(width, ends_width(scale));
-  if (bar > 0) width = std::max(width, bar_pixels + 10.0 * scale + text_width(bar_words, scale));
-  Corner corner(picture, scale, 1 + key.ways + (bar > 0), width);
-  if (key.ways) {
-    draw_ends_row(picture, corner, scale);
-    corner.next();
+void draw_band(Picture& picture, const View& view, const MapKey& key, int scale) {
+  draw_rectangle(
+      picture,
+      {{0, picture.height - kBand * scale}, static_cast<double>(picture.width), kBand * scale},
+      kPlate);
+  Row row(picture, scale, 0);
+  if (view.parallel) {
+    const double bar = round_length(kBarOfPicture * view.width / view.fx);
+    draw_bar(picture, {row.spot(), row.spot(bar * view.fx)}, {0, 2.5 * scale}, scale);
+    row.skip(bar * view.fx / scale + 8);
+    row.words(length_words(bar));
+    row.skip(14);
   }
-  corner.words(grid);
-  corner.next();
-  if (bar > 0) {
-    draw_bar(picture, {corner.spot(0), corner.spot(bar_pixels)}, {0, 2.5 * scale}, scale);
-    corner.words(bar_words, bar_pixels + 8.0 * scale);
-  }
+  if (key.ways) add_ends(picture, row, scale);
+  Row below(picture, scale, view.parallel || key.ways ? 1 : 0);
+  below.words(grid_words(view, key));
 }
 
 // An edge of the map on the ground, seen from outside.
@@ -182,7 +179,7 @@ void draw_ground_bar(Picture& picture, const View& view, const MapKey& key, int 
       std::clamp(centre.x - 0.5 * width, 4.0 * scale, picture.width - width - 4.0 * scale),
       std::clamp(centre.y - 3.5 * scale, 4.0 * scale, picture.height - 11.0 * scale)};
   draw_plate(picture, {corner.x - 3.0 * scale, corner.y - 3.0 * scale}, width + 6.0 * scale,
-             13.0 * scale);
+             14.0 * scale);
   draw_text(picture, corner, words, scale, kInk);
 }
 
@@ -196,7 +193,7 @@ void draw_n(Picture& picture, Spot centre, int scale) {
   draw_line(picture, strokes, 1.2 * scale, kInk);
 }
 
-// In the upper right corner: where north is in the middle of the map.
+// At the right of the band: where north is in the middle of the map.
 void draw_north(Picture& picture, const View& view, const MapKey& key, int scale) {
   const double step = 1e-3 * (key.ground.max - key.ground.min).norm() + 1e-6;
   const Spot from = spot(view, middle(key));
@@ -205,19 +202,18 @@ void draw_north(Picture& picture, const View& view, const MapKey& key, int scale
   if (!(length > 0)) return;
   const Spot north{(to.x - from.x) / length, (to.y - from.y) / length};
   const Spot right{-north.y, north.x};
-  const double room = 24.0 * scale;
-  const Spot centre{picture.width - 8.0 * scale - room, 8.0 * scale + room};
+  const double room = 19.0 * scale;
+  const Spot centre{picture.width - 10.0 * scale - room, picture.height - 0.5 * kBand * scale};
   const auto at = [&](double ahead, double aside) {
     return Spot{centre.x + (ahead * north.x + aside * right.x) * scale,
                 centre.y + (ahead * north.y + aside * right.y) * scale};
   };
-  draw_disc(picture, centre, room, {236, 236, 236});
-  draw_disc(picture, centre, room - scale, kPlate);
-  const std::array<Spot, 2> shaft{at(-16, 0), at(8, 0)};
-  const std::array<Spot, 3> head{at(3, -4.5), at(9, 0), at(3, 4.5)};
+  draw_ring(picture, centre, room - 0.5 * scale, scale, {200, 200, 200});
+  const std::array<Spot, 2> shaft{at(-13, 0), at(6, 0)};
+  const std::array<Spot, 3> head{at(1.5, -4), at(7, 0), at(1.5, 4)};
   draw_line(picture, shaft, 1.6 * scale, kInk);
   draw_line(picture, head, 1.6 * scale, kInk);
-  draw_n(picture, at(16.5, 0), scale);
+  draw_n(picture, at(12.5, 0), scale);
 }
 
 }  // namespace
@@ -226,16 +222,25 @@ std::string length_words(double metres) {
   return metres >= 1000 ? fmt::format("{:g} km", metres / 1000) : fmt::format("{:g} m", metres);
 }
 
-int key_scale(const Picture& picture) {
-  const int side = std::min(picture.width, picture.height);
+namespace {
+
+int scale_of(int side) {
   return side < kSmallest ? 0 : std::max(1, static_cast<int>(std::lround(side / 480.0)));
+}
+
+}  // namespace
+
+int key_scale(const Picture& picture) { return scale_of(std::min(picture.width, picture.height)); }
+
+int key_band(int width, int height) {
+  return static_cast<int>(kBand) * scale_of(std::min(width, height));
 }
 
 void draw_map_key(Picture& picture, const View& view, const MapKey& key) {
   const int scale = key_scale(picture);
   if (scale == 0) return;
+  draw_band(picture, view, key, scale);
   if (!view.parallel) draw_ground_bar(picture, view, key, scale);
-  draw_corner(picture, view, key, scale);
   draw_north(picture, view, key, scale);
 }
 

@@ -70,7 +70,8 @@ struct PictureScene::Embree {
     throw_on_error(device);
   }
 
-  void add_boxes(std::span<const geom::Aabb> boxes, const Vec3& middle) {
+  void add_boxes(std::span<const geom::Aabb> boxes, const Vec3& middle,
+                 const std::vector<bool>& unseen) {
     RTCGeometry geometry = new_geometry(RTC_GEOMETRY_TYPE_QUAD);
     auto* corner =
         buffer<Corner>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, 8 * boxes.size());
@@ -78,7 +79,9 @@ struct PictureScene::Embree {
                                                       RTC_FORMAT_UINT4, 6 * boxes.size());
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       const Eigen::Vector3f low = (boxes[i].min - middle).cast<float>();
-      const Eigen::Vector3f high = (boxes[i].max - middle).cast<float>();
+      const bool seen = unseen.empty() || !unseen[i];
+      const Eigen::Vector3f high =
+          seen ? Eigen::Vector3f((boxes[i].max - middle).cast<float>()) : low;
       for (int k = 0; k < 8; ++k) {
         *corner++ = {k & 1 ? high.x() : low.x(), k & 2 ? high.y() : low.y(),
                      k & 4 ? high.z() : low.z()};
@@ -110,7 +113,8 @@ struct PictureScene::Embree {
   }
 };
 
-PictureScene::PictureScene(const geom::BoxMap& map, std::span<const Tubes> tubes)
+PictureScene::PictureScene(const geom::BoxMap& map, std::span<const Tubes> tubes,
+                           const std::vector<bool>& unseen)
     : embree_(std::make_unique<Embree>()) {
   const geom::Axes axes = map.spec().frame.axes;
   const geom::Aabb bounds = geom::to_enu(axes, map.spec().bounds);
@@ -120,7 +124,7 @@ PictureScene::PictureScene(const geom::BoxMap& map, std::span<const Tubes> tubes
   if (boxes_.size() > 0xffffffffu / 8) {
     throw std::runtime_error("a picture shows at most 536870911 boxes: crop the map");
   }
-  if (!boxes_.empty()) embree_->add_boxes(boxes_, middle_);
+  if (!boxes_.empty()) embree_->add_boxes(boxes_, middle_, unseen);
   for (const Tubes& t : tubes) {
     tube_colours_.push_back(t.colour);
     if (!t.edges.empty()) {

@@ -40,7 +40,9 @@ using Block = std::array<Hit, kBlock * kBlock>;
 // depth of a box or the ground is then computed in double.
 class PictureScene {
  public:
-  PictureScene(const geom::BoxMap& map, std::span<const Tubes> tubes);
+  // Boxes for which `unseen` is true, where it says something, meet no ray.
+  PictureScene(const geom::BoxMap& map, std::span<const Tubes> tubes,
+               const std::vector<bool>& unseen = {});
   ~PictureScene();
   PictureScene(const PictureScene&) = delete;
   PictureScene& operator=(const PictureScene&) = delete;

@@ -30,11 +30,14 @@ std::vector<Colour> box_colours(const geom::BoxMap& map) {
   }
   const double floor = map.spec().bounds.min.z();
   double top = floor + 1;
-  for (const geom::Aabb& box : map.boxes()) top = std::max(top, box.max.z());
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    const bool air = geom::is_keep_out(map.labels()[map.label()[i]]);
+    if (!air) top = std::max(top, map.boxes()[i].max.z());
+  }
   std::vector<Colour> out;
   out.reserve(map.size());
   for (std::size_t i = 0; i < map.size(); ++i) {
-    if (labelled) {
+    if (labelled && map.label()[i] != 0) {
       out.push_back(label_colours[map.label()[i]]);
       continue;
     }

@@ -17,7 +17,7 @@ struct Look {
   GroundGrid grid;
 };
 
-// A colour a box: by label where the map has labels, else by the height of its top.
+// A colour a box: by its label where it has one, else by the height of its top.
 std::vector<Colour> box_colours(const geom::BoxMap& map);
 
 Look look_of(const geom::BoxMap& map);

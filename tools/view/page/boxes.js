@@ -8,24 +8,37 @@ const boxVertex = `
 attribute vec3 low; attribute vec3 high; attribute vec3 tint; attribute vec4 building;
 uniform vec3 sun; uniform float perPixel;
 varying vec3 vLocal; varying vec3 vSize; varying vec3 vNormal; varying vec3 vTint; varying vec3 vBuilding;
-varying float vTop; varying float vAway; varying float vWallLight;
+varying float vTop; varying float vAway; varying float vWallLight; varying float vZone;
+// Of a room's outer wall: whether the camera is on its outer side.
+bool cut(float side) {
+  if (side < 0.5) return false;
+  if (side < 1.5) return cameraPosition.x < high.x;
+  if (side < 2.5) return cameraPosition.x > low.x;
+  if (side < 3.5) return cameraPosition.y < high.y;
+  if (side < 4.5) return cameraPosition.y > low.y;
+  return cameraPosition.z > low.z;
+}
 float lightOf(float along) { return 0.66 + 0.34 * clamp(along, -0.4, 1.0); }
 void main() {
-  vSize = high - low;
-  vec3 side = step(0.5 * (low + high), cameraPosition);
+  float traits = floor(building.w * 255.0 + 0.5), wall = mod(floor(traits / 16.0), 8.0);
+  vZone = step(128.0, traits);
+  vec3 top = high;
+  if (cut(wall)) top.z = mix(low.z, high.z, wall > 4.5 ? 0.0 : 0.05);  // a stub says where the wall is
+  vSize = top - low;
+  vec3 side = step(0.5 * (low + top), cameraPosition);
   vec3 towards = 2.0 * side - 1.0, corner = mix(1.0 - position, position, side);
   vNormal = normal * towards; vTint = tint; vBuilding = building.xyz; vTop = high.z;
   vWallLight = 0.5 * (lightOf(sun.x * towards.x) + lightOf(sun.y * towards.y));
   vLocal = corner * vSize;
-  vec3 at = mix(low, high, corner);
+  vec3 at = mix(low, top, corner);
   at += (2.0 * corner - 1.0) * 0.12 * perPixel * distance(at, cameraPosition);
   vec4 eye = modelViewMatrix * vec4(at, 1.0);
   vAway = -eye.z;
   float hair = mod(building.z * 255.0 + 7.0 * building.y * 255.0, 16.0) + (normal.z > 0.5 ? 0.0 : 16.0);
   gl_Position = projectionMatrix * vec4(eye.xyz * (1.0 + 1.5e-5 * hair), 1.0);
   vec2 bit = normal.x > 0.5 ? vec2(1.0, side.x) : vec2(4.0, side.y);
-  float covered = mod(floor((building.w * 255.0 + 0.5) / (bit.x * (1.0 + bit.y))), 2.0);
-  if (normal.z < 0.5 && covered > 0.5) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+  float covered = mod(floor(mod(traits, 16.0) / (bit.x * (1.0 + bit.y))), 2.0);
+  if ((normal.z < 0.5 && covered > 0.5) || (wall > 4.5 && cut(wall))) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
 }`;
 
 // What hides the followed vehicle is left out around it, with a half-open rim.
@@ -41,7 +54,8 @@ uniform sampler2D ramp; uniform sampler2D shown; uniform float lowest; uniform f
 uniform vec3 focus; uniform float hole; uniform vec3 edge; uniform vec3 sky; uniform float reach; uniform vec3 sun; uniform float edgeShare;
 uniform vec2 pixel; uniform float perPixel; uniform float typical;
 varying vec3 vLocal; varying vec3 vSize; varying vec3 vNormal; varying vec3 vTint; varying vec3 vBuilding;
-varying float vTop; varying float vAway; varying float vWallLight;
+varying float vTop; varying float vAway; varying float vWallLight; varying float vZone;
+uniform vec3 zone;
 ${cutAwayShader}
 float numberOf(vec3 building) { return dot(floor(building * 255.0 + 0.5), vec3(65536.0, 256.0, 1.0)); }
 // 1 at the rim of a building, less at that of its roof; once, on the side of the larger number.
@@ -72,65 +86,109 @@ float light() {
 }
 void main() {
   if (hole > 0.0) cutAway();
+  // Air that is kept out of is a fine mesh: what flies in it is seen.
+  if (vZone > 0.5 && mod(floor(gl_FragCoord.x) + 3.0 * floor(gl_FragCoord.y), 7.0) > 0.5) discard;
+  if (vZone > 0.5) { gl_FragColor = vec4(zone, 1.0); return; }
   vec3 base = mix(texture2D(ramp, vec2(clamp((vTop - lowest) / span, 0.002, 0.998), 0.5)).rgb, vTint, byLabel);
   vec3 colour = mix(base * light(), edge, outline() * edgeShare);
   float haze = clamp((vAway - reach) / (3.0 * reach), 0.0, 0.6);
   gl_FragColor = vec4(mix(colour, sky, haze), 1.0);
 }`;
 
+// A colour that the source wrote, lighter in the dark where it would not be seen against the ground.
+function seenColour(css) {
+  const colour = new THREE.Color(css), ground = theme.colour("ground"), white = new THREE.Color("#ffffff");
+  for (let i = 0; theme.current() === "dark" && i < 20 && contrastOf(colour, ground) < leastContrast; ++i) colour.lerp(white, 0.1);
+  return colour;
+}
+
 class Boxes {
   constructor(map) {
-    this.corners = arrayOf(map.corners);
-    this.label = arrayOf(map.label);
-    this.ids = arrayOf(map.ids);
-    this.count = this.corners.length / 6;
+    this.map = map;
+    this.count = map.boxes;
     this.labels = map.labels;
     this.written = map.colours || [];  // of labels that are colours
+    this.buildings = map.buildings;
+    this.typical = map.typical;
     this.ramp = rampTexture(heightStops());
     this.heights();
-    Object.assign(this, buildingsOf(this));
-    this.mesh = new THREE.Mesh(this.geometry(), this.material());
-    this.mesh.frustumCulled = false;
+    this.levels = map.far ? new BoxLevels(map) : null;
+    this.tints = null;  // of each box its own colour, where one is asked for
+    const material = this.material();
+    this.parts = Array.from({ length: this.levels ? 2 : 1 }, () => {
+      const part = new THREE.Mesh(new THREE.BufferGeometry(), material);
+      part.frustumCulled = false;
+      return part;
+    });
+    this.mesh = new THREE.Group();
+    this.mesh.add(...this.parts);
+    if (!this.levels) this.gather();
     theme.follow(() => this.recolour());
   }
 
+  get uniforms() { return this.parts[0].material.uniforms; }
+
+  // Arrays of all boxes, unpacked when they are first needed.
+  once(name, make) {
+    const value = make();
+    Object.defineProperty(this, name, { value });
+    return value;
+  }
+  get corners() {
+    return this.once("corners", () => (this.levels ? cornersOf(this.map.corners, this.map.step) : arrayOf(this.map.corners)));
+  }
+  get label() { return this.once("label", () => arrayOf(this.map.label)); }
+  get ids() { return this.once("ids", () => arrayOf(this.map.ids)); }
+  get building() { return this.once("building", () => arrayOf(this.map.building)); }
+  // Bits 0 to 3: the walls to the west, east, south and north stand inside the building; 4 to 6: the side of a room that
+  // the box closes, 1 to 4 in that order or 5, the top; 7: it is air to keep out of.
+  get traits() { return this.once("traits", () => arrayOf(this.map.traits)); }
+
   // Few towers must not take the scale from all others: it ends where 98 of 100 tops are, and says so.
   heights() {
-    const tops = new Float32Array(this.count);
-    for (let i = 0; i < this.count; ++i) tops[i] = this.corners[6 * i + 5];
-    tops.sort();
-    const most = tops[this.count - 1], usual = tops[Math.floor(this.count * 0.98)];
-    this.lowest = this.count ? tops[0] : 0;
-    this.cut = most - this.lowest > 1.5 * (usual - this.lowest) && usual > this.lowest;
-    this.highest = this.count ? (this.cut ? usual : most) : 1;
+    const [lowest, usual, most] = this.map.tops;
+    this.lowest = lowest;
+    this.cut = most - lowest > 1.5 * (usual - lowest) && usual > lowest;
+    this.highest = this.cut ? usual : most;
   }
 
-  geometry() {
-    const geometry = new THREE.InstancedBufferGeometry();
-    geometry.setAttribute("position", new THREE.Float32BufferAttribute(
-      [1, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 0, 1, 0, 0, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1], 3));
-    geometry.setAttribute("normal", new THREE.Float32BufferAttribute(
-      [[1, 0, 0], [0, 1, 0], [0, 0, 1]].flatMap(n => [n, n, n, n].flat()), 3));
-    geometry.setIndex([0, 4, 8].flatMap(k => [k, k + 1, k + 2, k, k + 2, k + 3]));
-    const corners = new THREE.InstancedInterleavedBuffer(this.corners, 6);
-    geometry.setAttribute("low", new THREE.InterleavedBufferAttribute(corners, 3, 0));
-    geometry.setAttribute("high", new THREE.InterleavedBufferAttribute(corners, 3, 3));
-    this.tint = new THREE.InstancedBufferAttribute(new Uint8Array(this.label ? this.count * 3 : 3), 3, true,
-      this.label ? 1 : Math.max(this.count, 1));
-    geometry.setAttribute("tint", this.tint);
-    geometry.setAttribute("building", new THREE.InstancedBufferAttribute(this.numbers(), 4, true));
-    geometry.maxInstancedCount = this.count;
-    return geometry;
+  // What is seen from the camera: boxes near it, blocks far away.
+  look(camera, perPixel) {
+    if (!this.levels || (!this.levels.look(camera, perPixel) && !this.stale)) return;
+    this.stale = false;
+    this.gather();
   }
 
-  // The number of each box's building in three bytes, and its covered walls.
-  numbers() {
-    const bytes = new Uint8Array(Math.max(this.count, 1) * 4);
-    for (let i = 0; i < this.count; ++i) {
-      const n = this.building[i];
-      bytes.set([n >> 16 & 255, n >> 8 & 255, n & 255, this.covered[i]], 4 * i);
+  gather() {
+    const near = this.levels ? this.levels.nearStretches() : [[0, this.count]];
+    this.fill(this.parts[0], instancedBoxes, near.map(([from, to]) => [this, from, to]));
+    if (this.levels) this.fill(this.parts[1], plainBoxes, this.levels.farStretches());
+  }
+
+  // `stretches`: [[what has corners, building and traits, from, to], …]
+  fill(part, geometryOf, stretches) {
+    const count = stretches.reduce((sum, [, from, to]) => sum + to - from, 0);
+    const arrays = { corners: new Float32Array(6 * count), numbers: new Uint8Array(4 * Math.max(count, 1)),
+      tints: new Uint8Array(this.tints ? 3 * Math.max(count, 1) : 3) };
+    let at = 0;
+    for (const [source, from, to] of stretches) {
+      arrays.corners.set(source.corners.subarray(6 * from, 6 * to), 6 * at);
+      for (let i = from; i < to; ++i, ++at) this.describe(source, i, arrays, at);
     }
-    return bytes;
+    part.geometry.dispose();
+    part.geometry = geometryOf(arrays);
+    part.visible = count > 0;
+    part.count = count;
+  }
+
+  // The number of the box's building in three bytes, its traits, and its colour: of a block that of one of its boxes.
+  describe(source, i, { numbers, tints }, at) {
+    const n = source.building[i], box = source.of ? source.of[i] : i;
+    numbers[4 * at] = n >> 16 & 255;
+    numbers[4 * at + 1] = n >> 8 & 255;
+    numbers[4 * at + 2] = n & 255;
+    numbers[4 * at + 3] = source.traits[i];
+    if (this.tints) for (let k = 0; k < 3; ++k) tints[3 * at + k] = this.tints[3 * box + k];
   }
 
   material() {
@@ -141,14 +199,14 @@ class Boxes {
         edge: { value: new THREE.Color() }, sky: { value: new THREE.Color() },
         focus: { value: new THREE.Vector3() }, hole: { value: 0 }, reach: { value: 1e9 }, edgeShare: { value: 0.3 },
         shown: { value: null }, pixel: { value: new THREE.Vector2(1, 1) }, perPixel: { value: 1 }, typical: { value: this.typical },
-        sun: { value: new THREE.Vector3(-0.45, -0.3, 0.84).normalize() } } });
+        sun: { value: new THREE.Vector3(-0.45, -0.3, 0.84).normalize() }, zone: { value: new THREE.Color() } } });
     material.extensions.derivatives = true;
     return material;
   }
 
   // A label that is a colour has that; of the others the most frequent get one each, the rest share the last.
   labelLegend() {
-    if (!this.label) return [];
+    if (!this.map.label) return [];
     const counts = new Map();
     for (const l of this.label) counts.set(l, (counts.get(l) || 0) + 1);
     const order = [...counts].sort((a, b) => b[1] - a[1] || a[0] - b[0]);
@@ -163,23 +221,29 @@ class Boxes {
   }
 
   colourBy(what) {
-    if (what === "label" && this.label) {
+    const byLabel = what === "label" && Boolean(this.map.label);
+    if (byLabel) {
       const rest = new THREE.Color(labelColours[labelColours.length - 1]);
-      const colours = new Map(this.labelLegend().map(l => [l.label, new THREE.Color(l.colour)]));
+      const colours = new Map(this.labelLegend().map(l => [l.label, seenColour(l.colour)]));
+      this.tints = this.tints || new Uint8Array(3 * this.count);
       for (let i = 0; i < this.count; ++i) {
         const c = colours.get(this.label[i]) || rest;
-        this.tint.array.set([c.r * 255, c.g * 255, c.b * 255], i * 3);
+        this.tints.set([c.r * 255, c.g * 255, c.b * 255], i * 3);
       }
-      this.tint.needsUpdate = true;
+      if (this.levels) this.stale = true; else this.gather();
     }
-    this.mesh.material.uniforms.byLabel.value = what === "label" && this.label ? 1 : 0;
+    this.byLabel = byLabel;
+    this.uniforms.byLabel.value = byLabel ? 1 : 0;
   }
 
+  get hasZones() { return this.labels.some(label => label === "fence" || label === "keep-out" || label.startsWith("keep-out: ")); }
+
   recolour() {
-    const { uniforms } = this.mesh.material;
+    const { uniforms } = this;
     fillRamp(this.ramp, heightStops());
     uniforms.edge.value.copy(theme.colour("edge"));
     uniforms.sky.value.copy(theme.colour("sky"));
+    uniforms.zone.value.copy(theme.colour("zone"));
     uniforms.edgeShare.value = theme.current() === "dark" ? 0.8 : 0.62;
   }
 
@@ -191,16 +255,16 @@ class Boxes {
 
   // Leaves out what is nearer than `depth` metres within `radius` of (x, y), in pixels; 0: nothing.
   setHole(x, y, depth, radius) {
-    const { focus, hole } = this.mesh.material.uniforms;
+    const { focus, hole } = this.uniforms;
     focus.value.set(x, y, depth);
     hole.value = radius;
   }
 
   // Colours that the source wrote are shown unasked.
-  usualColour() { return this.label && this.written.some(Boolean) ? "label" : "height"; }
+  usualColour() { return this.map.label && this.written.some(Boolean) ? "label" : "height"; }
 
   // `perPixel`: how much of the view, one metre away, a pixel is.
-  setScale(perPixel) { this.mesh.material.uniforms.perPixel.value = perPixel; }
+  setScale(perPixel) { this.uniforms.perPixel.value = perPixel; }
 
-  setHaze(reach) { this.mesh.material.uniforms.reach.value = reach; }
+  setHaze(reach) { this.uniforms.reach.value = reach; }
 }

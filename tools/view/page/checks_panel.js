@@ -38,8 +38,20 @@ function checkTable(check) {
     words => element("th", { scope: "col" }, words)))), element("tbody", {}, rows));
 }
 
+// When or where on the way: a mission's item says it already, and a path has legs.
+function whenOf(check) {
+  if (check.time === undefined || isMission(check)) return ["", null];
+  if (check.checked !== "path") return ["Time", withUnit(check.time, 3, "s")];
+  const leg = Math.floor(check.time);
+  return ["Leg", `from point ${decimals(leg, 0)} to ${decimals(leg + 1, 0)}, counted from 0`];
+}
+
+// A drone's mission has items; what was checked of it are its legs.
+function isMission(check) { return check.item !== undefined; }
+
+// From near enough to see what is hit, in a room as in a city.
 function goToFailure(check) {
-  stage.goTo(check.place, 60);
+  stage.goTo(check.place, Math.min(60, 0.6 * stage.view.extent().across));
   if (stage.picked) stage.picked.choose(stage.boxes.withId(check.box));
   transport.cameras.choose("free");
   const motion = motions.find(m => m.id === check.id);
@@ -55,17 +67,16 @@ function checkCard(check) {
   const where = !check.ok && check.place ? facts([
     ["Why", reasons[check.reason] || check.reason],
     ["By", worstOf(check)],
-    ["Item", check.item === undefined ? null : `${check.item} (${check.part})`],
+    ["Item", check.item === undefined ? null : `${check.item}${check.part ? ` (${check.part})` : ""}`],
     ["That is", check.detail || null],
-    [check.checked === "path" ? "Leg, from 0" : "Time", check.time === undefined ? null
-      : check.checked === "path" ? decimals(Math.floor(check.time), 0) : withUnit(check.time, 3, "s")],
+    [...whenOf(check)],
     ["Place", place(...check.place.map((x, i) => x + origin[i]))],
     ["Obstacle, id in the source", check.box === undefined ? null : String(check.box)],
   ]) : check.ok ? null : element("p", {}, reasons[check.reason] || check.reason);
   return element("article", { class: `check ${check.ok ? "ok" : "failed"}` },
     element("h3", {}, check.id, element("span", { class: `verdict ${check.ok ? "good" : "bad"}` },
       `${check.ok ? "✓" : "✕"} ${words}`)),
-    element("p", { class: "soft" }, [check.checked || "record", check.duration ? `, ${withUnit(check.duration, 2, "s")}` : "",
+    element("p", { class: "soft" }, [isMission(check) ? "mission" : check.checked || "record", check.duration ? `, ${withUnit(check.duration, 2, "s")}` : "",
       check.slower ? `, ${check.slower} (if no path is shorter than the record claims)` : "",
       check.exact === undefined ? "" : `; exact check ${check.exact ? "passed" : "failed"}`].join("")),
     where, checkTable(check),
@@ -73,10 +84,9 @@ function checkCard(check) {
 }
 
 function makeChecksPanel() {
-  const order = [...meta.reports].sort((a, b) => a.ok - b.ok);
-  const failed = meta.reports.filter(r => !r.ok).length;
-  return element("div", {}, element("p", { class: failed ? "bad" : "good" }, failed
-    ? `${decimals(failed, 0)} of ${count(meta.reports.length, "check")} failed`
-    : `All ${count(meta.reports.length, "check")} passed`), order.slice(0, 200).map(checkCard),
+  const order = meta.reports.filter(r => !isOfRefused(r)).sort((a, b) => a.ok - b.ok);
+  const failed = order.filter(r => !r.ok).length;
+  return element("div", {}, order.length ? sentence(failed ? ["bad", "✕", `${decimals(failed, 0)} of ${count(order.length, "check")} failed`]
+    : ["good", "✓", order.length === 1 ? "The check passed" : `All ${count(order.length, "check")} passed`]) : null, refusedNote(), order.slice(0, 200).map(checkCard),
   order.length > 200 ? element("p", { class: "soft" }, `and ${decimals(order.length - 200, 0)} more that passed`) : null);
 }

@@ -57,15 +57,15 @@ function summaryWords() {
   const words = [];
   if (meta.map) words.push(count(meta.map.boxes, "box", "boxes"));
   if (meta.trees.length) words.push(count(meta.trees.length, "search tree"));
-  if (meta.paths.length) words.push(count(meta.paths.length, "path"));
+  if (meta.paths.length) words.push(count(meta.paths.length, pathWord(meta.paths)));
   const flights = motions.filter(m => m.isFlight).length;
   if (motions.length > flights) words.push(count(motions.length - flights, "trajectory", "trajectories"));
   if (flights) words.push(count(flights, "flight"));
-  const failed = meta.reports.filter(r => !r.ok).length;
-  if (meta.reports.length) words.push(failed ? `${decimals(failed, 0)} of ${count(meta.reports.length, "check")} failed`
-    : `${count(meta.reports.length, "check")} passed`);
-  if (together && together.check) words.push(together.check.ok ? `${count(together.check.pairs, "pair")} proved apart`
-    : `${decimals(together.check.refused, 0)} of ${count(together.check.pairs, "pair")} failed`);
-  if (together && together.check && together.check.left_out) words.push(`${count(together.check.left_out, "flight")} not compared`);
+  const checks = meta.reports.filter(r => !isOfRefused(r)), failed = checks.filter(r => !r.ok).length;
+  if (checks.length) words.push(failed ? `${decimals(failed, 0)} of ${count(checks.length, "check")} failed`
+    : `${count(checks.length, "check")} passed`);
+  if (together && together.check) words.push(!together.check.refused ? `${count(together.check.pairs, "pair")} proved apart`
+    : `${decimals(together.check.refused, 0)} of ${count(together.check.pairs, "pair")} not proved apart`);
+  if (together && together.check && together.check.left_out) words.push(`${count(together.check.left_out, "flight")} refused`);
   return words.join(" · ");
 }

@@ -37,7 +37,9 @@ function boxLayer() {
   if (!stage.boxes) return null;
   const { boxes } = stage;
   const legend = element("div");
+  let shown = boxes.usualColour();
   const show = what => {
+    shown = what;
     boxes.colourBy(what);
     legend.replaceChildren(...(what === "label" ? [labelKeys(boxes)] : rampLegend(
       ["var(--low)", "var(--middle)", "var(--high)"], `top ${metres(boxes.lowest + origin[2])}`,
@@ -45,13 +47,14 @@ function boxLayer() {
     stage.redraw();
   };
   const by = element("div", { class: "row" }, element("span", {}, "Colour"), choice("Colour boxes by",
-    [["height", "height of the top"], ...(boxes.label ? [["label", "label"]] : [])], boxes.usualColour(), show));
-  show(boxes.usualColour());
-  return layer("Obstacles", count(boxes.count, "box", "boxes"), boxes.mesh, [boxes.label ? by : null, legend]);
+    [["height", "height of the top"], ...(boxes.map.label ? [["label", "label"]] : [])], boxes.usualColour(), show));
+  theme.follow(() => show(shown));
+  return layer("Obstacles", count(boxes.count, "box", "boxes"), boxes.mesh, [boxes.map.label ? by : null, legend,
+    boxes.hasZones ? element("ul", { class: "keys" }, element("li", {}, swatch("var(--zone)"), element("span", {}, "keep-out, seen through"))) : null]);
 }
 
 function labelKeys(boxes) {
-  return element("ul", { class: "keys" }, boxes.labelLegend().map(key => element("li", {}, swatch(key.colour),
+  return element("ul", { class: "keys" }, boxes.labelLegend().map(key => element("li", {}, swatch(seenColour(key.colour).getStyle()),
     element("span", {}, key.name), element("span", { class: "note soft" }, decimals(key.boxes, 0)))));
 }
 
@@ -68,8 +71,9 @@ function pathLayer() {
   if (!found.length) return null;
   const key = element("ul", { class: "keys" }, element("li", {}, manyMissions ? null : swatch("var(--path)", "line"),
     element("span", {}, "ring: start; disc: goal")));
-  return layer(found.length === 1 ? "Path" : "Paths", found.length === 1 ? metres(found[0].length)
-    : count(found.length, "path"), stage.pathGroup, key, !(stage.fleet && found.length > mostAlone));
+  const word = pathWord(found);
+  return layer(`${word[0].toUpperCase()}${word.slice(1)}${found.length === 1 ? "" : "s"}`, found.length === 1 ? metres(found[0].length)
+    : count(found.length, word), stage.pathGroup, key, !(stage.fleet && found.length > mostAlone));
 }
 
 // What a fleet may be coloured by beside the quantities: a value of each flight.

@@ -8,13 +8,15 @@ const transport = makeTransport();
 const motionPanel = motions.length ? new MotionPanel() : null;
 makeLayers();
 const tabs = makeTabs([
+  ...(together && motions.length > 1 ? [["Summary", makeSummaryPanel()]] : []),
   ...(motionPanel ? [["Motion", motionPanel.element]] : manyMissions ? [["Missions", element("div", {}, makeMissionList())]] : []),
   ...(together && motions.length > 1 ? [["Pairs", makePairsPanel()]] : []),
   ...(meta.reports.length ? [["Checks", makeChecksPanel()]] : []),
   ["Contents", makeContentsPanel()]]);
-if (together && together.check && !together.check.ok) tabs.show("Pairs");
-if (meta.reports.some(r => !r.ok)) tabs.show("Checks");
+if (!together && meta.reports.some(r => !r.ok)) tabs.show("Checks");
+if (together && motions.length > mostAlone) openWhenBusiest();
 stage.view.home();  // now that it is known what the cards leave of the view
+frameFailure();
 listenToKeys();
 clock.follow(() => stage.redraw());
 exposeState();
@@ -29,3 +31,16 @@ function tick(now) {
   requestAnimationFrame(tick);
 }
 requestAnimationFrame(tick);
+
+// Where one flight or mission failed, its place is what the page is opened for.
+function frameFailure() {
+  const failed = meta.reports.filter(r => !r.ok && r.place);
+  if (!together && failed.length) goToFailure(failed[0]);
+}
+
+// Else it would open with the first two in the air.
+function openWhenBusiest() {
+  const { time } = busiest();
+  selection.chooseMotion(motions.find(m => m.flies(time)));
+  clock.set(time);
+}

@@ -14,7 +14,6 @@ class Mission {
 
   // What to say of it beside its id.
   note() {
-    if (together && this.motions.length) return fleetNote(this.motions[0]);
     if (this.motions.length) return withUnit(this.motions[0].duration, 1, "s");
     if (this.failure) return this.failure.replaceAll("_", " ");
     const found = this.paths.find(p => p.points);
@@ -22,11 +21,9 @@ class Mission {
   }
 }
 
-// When it departs, how late, and how near another comes.
-function fleetNote({ begin, data, nearest }) {
-  return [clockWords(begin, 1).replace(" UTC", ""), data.delay ? `+${withUnit(data.delay, 1, "s")}` : null,
-    Number.isFinite(nearest) ? `↔${thinSpace}${metres(nearest)}` : null].filter(Boolean).join("  ");
-}
+
+// What a drone flies by its file is a mission; what a planner found is a path.
+function pathWord(paths) { return paths.every(p => p.mission) ? "mission" : "path"; }
 
 const missionOfPath = new Map();
 

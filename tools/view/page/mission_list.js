@@ -5,13 +5,27 @@ const listedMissions = 1000;
 function verdictOf(mission) {
   if (!mission.checks.length) return null;
   const ok = mission.checks.every(c => c.ok);
-  return element("span", { class: ok ? "good" : "bad", title: ok ? "checked: passed" : "checked: failed" }, ok ? "✓" : "✕");
+  return element("span", { class: ok ? "good" : "bad", title: ok ? "passed the check against the map" : "failed the check against the map" }, ok ? "✓" : "✕");
 }
 
 function missionEntry(mission) {
   return element("li", {}, element("button", { type: "button", class: "mission", "data-mission": mission.id,
     onclick: () => selection.choose(mission) }, missionSwatch(mission), element("span", { class: "id" }, mission.id),
-  element("span", { class: "note soft" }, mission.note()), verdictOf(mission)));
+  ...missionNotes(mission).map(words => element("span", { class: "note soft" }, words)), verdictOf(mission)));
+}
+
+// Of a fleet's flight: when it departs, how late, and how near another comes.
+function missionNotes(mission) {
+  if (!together || !mission.motions.length) return [mission.note()];
+  const { begin, data, nearest, apart } = mission.motions[0];
+  const late = data.delay ? ` (+${shortMetres(data.delay)}${thinSpace}s)` : "";
+  return [clockWords(begin, 1).replace(/(\.\d)? UTC$/, "") + late,
+    Number.isFinite(nearest) ? `${shortMetres(apart.across)} across, ${shortMetres(apart.up)} up` : "–"];
+}
+
+function fleetHead() {
+  return element("p", { class: "mission-head soft", "aria-hidden": "true" }, ["flight", `departs${together.epoch ? ", UTC" : ", s"} (late)`,
+    "nearest other flight, m"].map(words => element("span", {}, words)));
 }
 
 function missionSwatch({ colour, pattern }) {
@@ -38,7 +52,7 @@ function chosenMissions(words, order) {
 
 function makeMissionList() {
   let shown = [], entries = [];
-  const list = element("ul", { class: "missions", "aria-label": "Missions" });
+  const list = element("ul", { class: together ? "missions fleet" : "missions", "aria-label": "Missions" });
   const more = element("p", { class: "soft" });
   const mark = () => {
     entries.forEach((entry, i) => entry.firstChild.setAttribute("aria-pressed", String(shown[i] === selection.mission)));
@@ -61,7 +75,7 @@ function makeMissionList() {
   const tools = together ? missionTools(fill) : null;
   fill(missions);
   selection.follow(mark);
-  return element("section", {}, element("h2", {}, count(missions.length, together ? "flight" : "mission")), tools, list, more);
+  return element("section", {}, element("h2", {}, count(missions.length, together ? "flight" : "mission")), tools, together ? fleetHead() : null, list, more);
 }
 
 // Finding and ordering the flights of a fleet.

@@ -149,4 +149,7 @@ const together = meta.fleet || null;
 
 const motions = meta.motions.map(data => new Motion(data));
 
-if (together) arrayOf(together.nearest).forEach((distance, i) => { motions[i].nearest = distance; });
+if (together) {
+  const near = arrayOf(together.nearest);  // distance, across, up of each
+  for (let i = 0; 3 * i < near.length; ++i) motions[i].nearest = near[3 * i], motions[i].apart = { across: near[3 * i + 1], up: near[3 * i + 2] };
+}

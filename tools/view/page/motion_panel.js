@@ -67,7 +67,7 @@ function motionFacts(motion) {
   return [
     ["Departure", together ? clockWords(motion.begin, 1) + (together.epoch ? "" : `${thinSpace}s`) : null],
     ["Delay", data.delay === undefined ? null : withUnit(data.delay, 1, "s")],
-    ["Nearest to another flight", together && Number.isFinite(motion.nearest) ? metres(motion.nearest) : null],
+    ["Nearest to another flight", together && Number.isFinite(motion.nearest) ? apartWords(motion.apart) : null],
     ["Duration", withUnit(motion.duration, 2, "s")],
     ["Beside the fastest", data.slower || null],
     ["Segments", data.segments ? `${decimals(data.segments, 0)}${data.rung ? `, ${data.rung.replaceAll("_", " ")}` : ""}` : null],

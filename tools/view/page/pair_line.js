@@ -20,7 +20,7 @@ class PairLine {
     this.points.set([a.x, a.y, a.z, b.x, b.y, b.z]);
     this.ribbon.moved();
     this.distance = a.distanceTo(b);
-    const words = metres(this.distance);
+    const words = apartWords({ across: Math.hypot(a.x - b.x, a.y - b.y), up: Math.abs(a.z - b.z) });
     if (this.label.textContent !== words) this.label.textContent = words;
     const at = a.lerp(b, 0.5).project(camera);
     this.label.style.visibility = at.z < 1 ? "visible" : "hidden";

@@ -19,18 +19,31 @@ function jumpToNext() {
   jumpToPair(pairs[(pairs.indexOf(selection.pair) + 1) % pairs.length]);
 }
 
-function checkWords() {
-  const { check } = together;
-  if (!check) return element("p", { class: "soft" }, "No report of skyway-check --together is here: nothing is proved of pairs.");
-  if (check.ok) return element("p", { class: "good" }, `✓ The check proved all ${count(check.pairs, "pair")} apart`);
-  const left = check.left_out ? `, and ${count(check.left_out, "flight")} could not be looked at` : "";
-  return element("p", { class: "bad" }, `✕ ${decimals(check.refused, 0)} of ${count(check.pairs, "pair")} failed the check${left}`);
+// Metres with the digits that matter, without zeros at the end: 4.98, 8.5, 120.
+function shortMetres(value) {
+  return Number(value.toFixed(value < 10 ? 2 : 1)).toLocaleString("en");
+}
+
+function apartWords({ across, up }) {
+  return `${shortMetres(across)}${thinSpace}m across, ${shortMetres(up)}${thinSpace}m up`;
+}
+
+// Of [across, up], or of [east–west or x, north–south or y, up] where a box was asked: either is enough.
+function askedWords(asked) {
+  const parts = asked.map(v => shortMetres(v) + thinSpace + "m");
+  return asked.length === 2 ? `${parts[0]} across or ${parts[1]} up` : `${parts[0]} or ${parts[1]} sideways, or ${parts[2]} up`;
+}
+
+// "8.5 m across, 8 m up; 5 or 3 needed"
+function pairWords(pair) {
+  const asked = pair.asked || (together.check && together.check.asked);
+  return apartWords(pair) + (asked ? `; ${asked.map(shortMetres).join(" or ")} needed` : "");
 }
 
 function pairRow(pair) {
   return element("tr", {}, element("td", {}, element("button", { type: "button", class: "pair", onclick: () => jumpToPair(pair) },
-    pair.reason ? element("span", { class: "bad", title: "refused by the check" }, "✕ ") : null, pairName(pair))),
-  element("td", {}, metres(pair.distance)), element("td", {}, clockWords(pair.time, 1)));
+    pair.reason ? element("span", { class: "bad", title: "not proved apart" }, "✕ ") : null, pairName(pair)),
+  element("div", { class: pair.reason ? "bad" : "soft" }, pairWords(pair))), element("td", {}, clockWords(pair.time, 1).replace(" UTC", "")));
 }
 
 function makePairsPanel() {
@@ -39,10 +52,10 @@ function makePairsPanel() {
     "Show the nearest pair") : null;
   const rows = shown.map(pairRow);
   selection.follow(() => rows.forEach((row, i) => row.classList.toggle("chosen", shown[i] === selection.pair)));
-  return element("div", {}, checkWords(), jump,
-    shown.length ? element("table", { class: "pairs" }, element("thead", {}, element("tr", {}, ["pair", "apart",
+  return element("div", {}, sentence(pairsVerdict()), jump,
+    shown.length ? element("table", { class: "pairs" }, element("thead", {}, element("tr", {}, ["pair, and how far apart at the nearest",
       together.epoch ? "at, UTC" : "at, s"].map(words => element("th", { scope: "col" }, words)))), element("tbody", {}, rows)) : null,
     element("p", { class: "soft" }, `${count(together.near, "pair")} came within ${metres(together.within)} while both flew` +
       `${pairs.length > shown.length || together.near > pairs.length ? `; the nearest ${decimals(shown.length, 0)} are listed` : ""}. ` +
-      "Distances are between reference points, to 1 mm."));
+      "Distances are between reference points."));
 }

@@ -300,6 +300,7 @@ class Stage {
     if (this.boxes) {
       this.boxes.setHaze(reach);
       this.boxes.setScale(perPixel / this.ratio);
+      if (this.boxes.mesh.visible) this.boxes.look(this.view.camera, perPixel);
       this.cutAway(width, height);
     }
     this.ground.setHaze(reach);

@@ -52,6 +52,7 @@ function exposeState() {
     pair: () => selection.pair && { ids: selection.pair.of.map(i => motions[i].id), time: selection.pair.time,
       distance: selection.pair.distance, now: stage.pairLine.distance },
     buildings: () => (stage.boxes ? stage.boxes.buildings : 0), seen: () => seesVehicle(),
+    drawn: () => (stage.boxes ? stage.boxes.parts.map(part => part.count) : []),  // boxes themselves, and blocks for afar
     drawCalls: () => info().calls, triangles: () => info().triangles, frames: () => stage.frames,
     frameMs: () => stage.frameMs,
     trees: () => stage.parts.trees.map(t => ({ id: t.data.id, nodes: t.count, shown: t.shown })),

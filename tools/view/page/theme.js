@@ -25,3 +25,16 @@ const theme = (() => {
     colour(name) { return new THREE.Color(this.css(name)); },
   };
 })();
+
+const leastContrast = 3;  // of what must be seen against what is behind it (WCAG 2.1, 1.4.11)
+
+function luminanceOf({ r, g, b }) {
+  const linear = v => (v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4);
+  return 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
+}
+
+// Of two colours, 1 to 21.
+function contrastOf(one, other) {
+  const [low, high] = [luminanceOf(one), luminanceOf(other)].sort((a, b) => a - b);
+  return (high + 0.05) / (low + 0.05);
+}

@@ -24,4 +24,9 @@ std::optional<Rgb8> written_colour(std::string_view label);
 // grey first, which can be told apart.
 Rgb8 label_colour(std::uint32_t number, std::string_view label = {});
 
+// Whether boxes of this label are air that may not be flown through, rather than things that stand
+// there: keep-out volumes and fences ("keep-out", "keep-out: NAME", "fence"). Pictures let them
+// through, because flights lie around and inside.
+bool is_keep_out(std::string_view label);
+
 }  // namespace geom

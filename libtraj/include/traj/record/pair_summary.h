@@ -13,6 +13,8 @@
 #include <string>
 #include <string_view>
 
+#include "traj/together/spacing.h"
+
 namespace traj {
 
 // A pair that was refused.
@@ -24,6 +26,7 @@ struct PairSummary {
   double share = 0;    // how near then, in the norm of the zone: a conflict at 1 or below
   double across = 0;   // metres apart then, over the ground and in height
   double up = 0;
+  std::optional<Zone> zone;  // what was asked; nothing in records that do not say it
 };
 
 // The summary of all flights.
@@ -32,7 +35,9 @@ struct TogetherSummary {
   std::size_t flights = 0;
   std::size_t pairs = 0;
   std::size_t refused = 0;
-  std::size_t left_out = 0;        // flights that could not be looked at
+  std::size_t left_out = 0;  // flights that were refused, so that their pairs were not compared
+  std::optional<Zone>
+      separation;  // what was asked of every pair; nothing where the vehicles' sizes say it
   std::optional<std::string> map;  // its hash
   std::string flights_hash;        // see flights_hash.h
 };
