@@ -84,9 +84,9 @@ MadeMap make_map(BoxTable table, Frame frame, std::string history, std::string_v
     spec.bounds = options.bounds ? *options.bounds : scaled(*options.source_bounds, options.scale);
   } else {
     spec.bounds = *bounds(table.boxes);
-    const Vec3 low(options.pad, options.pad, 0);
-    spec.bounds.min -= low;
-    spec.bounds.max += Vec3::Constant(options.pad);
+    const double pad = options.pad.value_or(0);
+    spec.bounds.min -= Vec3(pad, pad, 0);
+    spec.bounds.max += Vec3::Constant(pad);
   }
   if (!options.bounds && options.floor) spec.bounds.min.z() = *options.floor;
   if (!options.bounds && options.ceiling) spec.bounds.max.z() = *options.ceiling;

@@ -24,7 +24,7 @@ Json to_json(const MapDraft& draft) {
               {"scale", map.scale},
               {"bloat_percent", map.bloat_percent},
               {"inflate", map.inflate},
-              {"pad", map.pad},
+              {"pad", map.pad.value_or(0)},
               {"seal", map.seal.value_or(0)},
               {"tile_size", map.tile_size}};
   if (const auto& at = draft.frame.origin) {
@@ -61,7 +61,7 @@ MapDraft read_draft(const JsonFields& fields) {
   map.tile_size = number_of(fields, "tile_size");
   map.floor = fields.number("floor");
   map.ceiling = fields.number("ceiling");
-  const bool sizes = map.scale > 0 && map.bloat_percent >= 0 && map.inflate >= 0 && map.pad >= 0 &&
+  const bool sizes = map.scale > 0 && map.bloat_percent >= 0 && map.inflate >= 0 && *map.pad >= 0 &&
                      *map.seal >= 0 && map.tile_size >= 1;
   if (!sizes) {
     fields.refuse(

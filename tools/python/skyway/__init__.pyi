@@ -340,7 +340,7 @@ def import_boxes(path: _Path, *, format: str = "auto", frame: Optional[str] = No
                  unknown: str = "free", slack: float = 0.1, collisions_only: bool = False,
                  without: Sequence[str] = (), model_path: Sequence[str] = (), allow_skipped: bool = False,
                  seal: Optional[float] = None, floor: Optional[float] = None, ceiling: Optional[float] = None,
-                 pad: float = 0.0, scale: float = 1.0, bloat_percent: float = 0.0, inflate: float = 0.0,
+                 pad: Optional[float] = None, scale: float = 1.0, bloat_percent: float = 0.0, inflate: float = 0.0,
                  bounds: Optional[_Corners] = None, tile: float = 100.0) -> BoxMap:
     """A table, block text, world, voxel map or octree, as skyway-import makes it."""
 
@@ -351,7 +351,7 @@ def import_footprints(path: _Path, *, format: str = "auto", slack: float = 0.5,
                       terrain: Optional[str] = None, origin: Optional[Sequence[float]] = None,
                       height_units: Optional[str] = None, axes: Optional[str] = None, metres: bool = False,
                       allow_skipped: bool = False, seal: Optional[float] = None, floor: Optional[float] = None,
-                      ceiling: Optional[float] = None, pad: float = 0.0, scale: float = 1.0,
+                      ceiling: Optional[float] = None, pad: Optional[float] = None, scale: float = 1.0,
                       bloat_percent: float = 0.0, inflate: float = 0.0, bounds: Optional[_Corners] = None,
                       tile: float = 100.0, threads: int = 0) -> BoxMap:
     """GeoJSON, OpenStreetMap, CityJSON, CityGML, height models and more, as skyway-footprints makes it. ImportError
@@ -367,7 +367,7 @@ def import_cloud(path: _Path, *, format: str = "auto", mode: str = "columns", ce
                  crs: Optional[str] = None, units: Optional[str] = None, vertical_units: Optional[str] = None,
                  origin: Union[None, str, Sequence[float]] = None, allow_skipped: bool = False,
                  seal: Optional[float] = None, floor: Optional[float] = None, ceiling: Optional[float] = None,
-                 pad: float = 0.0, scale: float = 1.0, bloat_percent: float = 0.0, inflate: float = 0.0,
+                 pad: Optional[float] = None, scale: float = 1.0, bloat_percent: float = 0.0, inflate: float = 0.0,
                  bounds: Optional[_Corners] = None, tile: float = 100.0, threads: int = 0) -> BoxMap:
     """LAS, LAZ, PCD, PLY or XYZ, as skyway-cloud makes it. ImportError where the package skyway-cloud is not installed.
     `origin`: latitude, longitude and perhaps height, or "auto"."""
@@ -376,7 +376,7 @@ def import_cloud(path: _Path, *, format: str = "auto", mode: str = "columns", ce
 def import_model(path: _Path, *, format: str = "auto", slack: float = 0.25, solid: bool = False,
                  up: Optional[str] = None, units: Optional[str] = None, origin: Optional[Sequence[float]] = None,
                  allow_skipped: bool = False, seal: Optional[float] = None, floor: Optional[float] = None,
-                 ceiling: Optional[float] = None, pad: float = 0.0, scale: float = 1.0, bloat_percent: float = 0.0,
+                 ceiling: Optional[float] = None, pad: Optional[float] = None, scale: float = 1.0, bloat_percent: float = 0.0,
                  inflate: float = 0.0, bounds: Optional[_Corners] = None, tile: float = 100.0,
                  threads: int = 0) -> BoxMap:
     """OBJ, PLY, STL, glTF, COLLADA, 3DS or 3D Tiles, as skyway-mesh makes it. ImportError where the package skyway-mesh is

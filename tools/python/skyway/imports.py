@@ -27,7 +27,7 @@ def _made(function, keywords):
 
 
 def import_boxes(path, *, format="auto", frame=None, units="m", unknown="free", slack=0.1, collisions_only=False,
-                 without=(), model_path=(), allow_skipped=False, seal=None, floor=None, ceiling=None, pad=0.0,
+                 without=(), model_path=(), allow_skipped=False, seal=None, floor=None, ceiling=None, pad=None,
                  scale=1.0, bloat_percent=0.0, inflate=0.0, bounds=None, tile=100.0):
     """A table, block text, world, voxel map or octree as a BoxMap, as skyway-import makes it."""
     keywords = locals()
@@ -40,7 +40,7 @@ def import_boxes(path, *, format="auto", frame=None, units="m", unknown="free", 
 
 def import_footprints(path, *, format="auto", slack=0.5, height_attribute=None, storey=3.0, default_height=None,
                       where=None, height_step=0.5, terrain=None, origin=None, height_units=None, axes=None,
-                      metres=False, allow_skipped=False, seal=None, floor=None, ceiling=None, pad=0.0, scale=1.0,
+                      metres=False, allow_skipped=False, seal=None, floor=None, ceiling=None, pad=None, scale=1.0,
                       bloat_percent=0.0, inflate=0.0, bounds=None, tile=100.0, threads=0):
     """Footprints, a city model or a height model as a BoxMap, as skyway-footprints makes it."""
     keywords = locals()
@@ -51,7 +51,7 @@ def import_cloud(path, *, format="auto", mode="columns", cell=1.0, step=0.5, gap
                  noise="keep", outliers=None, voxel=None, resolution=None, ground="keep", ground_by="auto",
                  ground_cell=2.0, ground_slope=0.1, ground_height=0.3, ground_step=1.0, ground_widest=200.0,
                  tolerance=1.0, min_points=1, crs=None, units=None, vertical_units=None, origin=None,
-                 allow_skipped=False, seal=None, floor=None, ceiling=None, pad=0.0, scale=1.0, bloat_percent=0.0,
+                 allow_skipped=False, seal=None, floor=None, ceiling=None, pad=None, scale=1.0, bloat_percent=0.0,
                  inflate=0.0, bounds=None, tile=100.0, threads=0):
     """A point cloud as a BoxMap, as skyway-cloud makes it."""
     keywords = locals()
@@ -59,7 +59,7 @@ def import_cloud(path, *, format="auto", mode="columns", cell=1.0, step=0.5, gap
 
 
 def import_model(path, *, format="auto", slack=0.25, solid=False, up=None, units=None, origin=None,
-                 allow_skipped=False, seal=None, floor=None, ceiling=None, pad=0.0, scale=1.0, bloat_percent=0.0,
+                 allow_skipped=False, seal=None, floor=None, ceiling=None, pad=None, scale=1.0, bloat_percent=0.0,
                  inflate=0.0, bounds=None, tile=100.0, threads=0):
     """A model of triangles or 3D Tiles as a BoxMap, as skyway-mesh makes it."""
     keywords = locals()
