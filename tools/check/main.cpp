@@ -13,6 +13,7 @@
 #include "cli/run.h"
 #include "cli/tell.h"
 #include "flight_logs.h"
+#include "geom/map/wider_bounds.h"
 #include "geom/record/agreed_room.h"
 #include "together.h"
 #include "traj/record/certificate_record.h"
@@ -105,6 +106,7 @@ class Reports {
     ++count_;
     ok ? batch_.add_good()
        : batch_.add_failed(report.result.ok ? "exact" : name(report.result.reason));
+    if (!ok && report.result.reason == traj::Reason::bounds) add_beyond(report);
     if (certificates_) certificates_->add(ok ? certificate(report) : std::string());
     profile_.finish_record();
     suite_.add(report, map_);
@@ -157,11 +159,26 @@ class Reports {
     return exit;
   }
 
+  // What to do where records leave the bounds.
+  void tell_beyond(const cli::Common& common) const {
+    if (!wider_.any()) return;
+    cli::tell(
+        common, "skyway-check",
+        fmt::format("the bounds are left, at most {}: {}", wider_.in_words(), wider_.advice()));
+  }
+
   std::size_t count() const { return count_; }
   std::size_t failed() const { return failed_; }
   const cli::Batch& batch() const { return batch_; }
 
  private:
+  void add_beyond(const traj::ReportRecord& report) {
+    const geom::Vec3 half = report.provenance.vehicle ? report.provenance.vehicle->half
+                                                      : geom::Vec3(geom::Vec3::Zero());
+    const double margin = report.provenance.margin.value_or(0);
+    wider_.add(report.result.place, half + geom::Vec3::Constant(margin), report.result.worst);
+  }
+
   std::string certificate(const traj::ReportRecord& report) const {
     traj::CertificateRecord record{report.id,          report.checked,    *report.exact,
                                    map_.spec().bounds, report.provenance, report.limits,
@@ -178,6 +195,7 @@ class Reports {
   checking::ProfileFile& profile_;
   std::optional<cli::OutputFile> junit_;
   traj::JUnitSuite suite_;
+  geom::WiderBounds wider_{map_.spec().bounds};  // that would hold what leaves them
   bool parks_;
   cli::RecordOutput out_;
   std::optional<cli::RecordOutput> certificates_;
@@ -291,6 +309,7 @@ int main(int argc, char** argv) {
     if (moving) check_moving(common, *moving, options.together, options.rules().exact, reports);
     const cli::Exit exit = reports.commit(total);
     reports.batch().tell(common, "skyway-check", "records failed");
+    reports.tell_beyond(common);
     common.write_stats({{"records", reports.count()},
                         {"failed", reports.failed()},
                         {"collision", scenes.stats()}});

@@ -18,6 +18,7 @@
 #include "cli/tell.h"
 #include "geom/base/mapped_file.h"
 #include "geom/base/parallel.h"
+#include "geom/map/wider_bounds.h"
 #include "geom/record/query_record.h"
 #include "geom/text/counted.h"
 #include "plan/bound/bound_record.h"
@@ -37,6 +38,7 @@ struct Planned {
   std::size_t timed = 0;  // boxes that are there for a time only
   std::size_t open = 0;   // paths whose bound is further away than was asked for
   planning::SnappedEnds snapped;
+  std::optional<geom::WiderBounds> wider;  // that would hold all ends
   geom::PathRecord last;
   plan::SearchTree tree;  // of the last query, where it is to be written
 };
@@ -100,6 +102,10 @@ class Answers {
   std::optional<plan::LayerPlanner> layered_;
 };
 
+bool is_outside(geom::PathStatus status) {
+  return status == geom::PathStatus::start_outside || status == geom::PathStatus::goal_outside;
+}
+
 // Paths are written block by block, for the next tool of a pipe.
 Planned plan_each(plan::Planner& planner, const geom::CollisionScene& scene,
                   const std::vector<geom::PlanQuery>& queries, const geom::Shard& shard,
@@ -107,6 +113,7 @@ Planned plan_each(plan::Planner& planner, const geom::CollisionScene& scene,
   constexpr std::size_t kBlock = 1024;
   const std::vector<std::size_t> chosen = shard.items(queries.size());
   Planned planned;
+  planned.wider.emplace(scene.map().spec().bounds);
   Answers answers(planner, scene, search);
   for (std::size_t begin = 0; begin < chosen.size(); begin += kBlock) {
     std::vector<geom::PathRecord> records(std::min(kBlock, chosen.size() - begin));
@@ -133,6 +140,12 @@ Planned plan_each(plan::Planner& planner, const geom::CollisionScene& scene,
       planned.found += found;
       planned.open += static_cast<std::size_t>(open[i]);
       found ? planned.batch.add_good() : planned.batch.add_failed(name(record.status));
+      if (is_outside(record.status)) {
+        const geom::PlanQuery& query = queries[chosen[begin + i]];
+        for (const geom::Vec3& end : {query.from, query.to}) {
+          if (end.allFinite()) planned.wider->add({end - scene.half(), end + scene.half()});
+        }
+      }
       out.add(record, why[i]);
     }
     out.flush();
@@ -165,6 +178,11 @@ void tell(const cli::Common& common, const Planned& planned, double gap, bool of
                           geom::counted(planned.timed, "box is", "boxes are")));
   }
   planned.batch.tell(common, "skyway-plan", "queries have no path");
+  if (!of_one && planned.wider->any()) {
+    cli::tell(common, "skyway-plan",
+              fmt::format("ends lie outside the bounds, at most {}: {}", planned.wider->in_words(),
+                          planned.wider->advice()));
+  }
   if (of_one && !planned.found) cli::complain("skyway-plan", planned.last.message);
 }
 

@@ -27,8 +27,37 @@ HistoryStep hashes_of(const std::vector<std::string>& paths, const OpenFile& ope
   return out;
 }
 
-HistoryStep step_of(const std::string& hash, const FootprintDraftOptions& options,
-                    const Source& source) {
+// Buildings end at their walls and roofs, so there is room around and above them. A height model
+// has no such end: nobody knows what is beside it.
+MakeMapOptions with_room(MakeMapOptions map, const FootprintFormat& format) {
+  if (map.bounds || &format == &kRaster) return map;
+  if (!map.ceiling && !map.pad) map.headroom = kDefaultHeadroom;
+  if (!map.pad) map.pad = kDefaultPad;
+  return map;
+}
+
+// The words of the defaults that the bounds came from.
+std::vector<std::string> defaulted(const MakeMapOptions& asked, const MakeMapOptions& used) {
+  std::vector<std::string> words;
+  if (used.pad != asked.pad) words.emplace_back("pad");
+  if (used.headroom) words.emplace_back("headroom");
+  return words;
+}
+
+void tell_room(const MakeMapOptions& asked, const MakeMapOptions& used, const std::string& name,
+               const Notes& notes) {
+  std::string room;
+  if (used.pad != asked.pad) room = fmt::format("{} m beyond the outermost wall", *used.pad);
+  if (used.headroom) room += fmt::format(" and {} m above the highest roof", *used.headroom);
+  if (room.empty()) return;
+  notes.remark(
+      fmt::format("{}: the file has no bounds, so the map reaches {}, where it has no obstacle; "
+                  "--pad, --ceiling and --bounds say otherwise",
+                  name, room));
+}
+
+HistoryStep step_of(const std::string& hash, const FootprintDraftOptions& asked,
+                    const FootprintDraftOptions& options, const Source& source) {
   HistoryStep step = {{"tool", "skyway-footprints"},
                       {"input", hash},
                       {"format", options.format->format->word},
@@ -39,6 +68,8 @@ HistoryStep step_of(const std::string& hash, const FootprintDraftOptions& option
   if (!options.terrain.empty()) step["terrain"] = hash_of(options.terrain, options.open);
   if (options.read.height_unit) step["height_units_m"] = *options.read.height_unit;
   add_options(step, options.map);
+  const std::vector<std::string> words = defaulted(asked.map, options.map);
+  if (!words.empty()) step["defaulted"] = words;
   return step;
 }
 
@@ -106,13 +137,15 @@ MapDraft draft_footprints(const std::string& path, HashedStream& file,
   if (file.head().empty()) throw InputError(path, {.says = "the file is empty"});
   FootprintDraftOptions options = asked;
   if (!options.format) options.format = &footprint_format_of(file.head(), path);
+  options.map = with_room(asked.map, *options.format);
   Source source = read(*options.format, {path, path, file.stream()}, options.read);
   MapDraft draft;
   draft.source = path;
   draft.frame = place(source, options, path);
   tell(source, path, options.read.height.default_height, notes);
+  tell_room(asked.map, options.map, path, notes);
   draft.facts = facts_of(source, *options.format);
-  HistoryStep step = step_of(file.hash(), options, source);
+  HistoryStep step = step_of(file.hash(), asked, options, source);
   settle_skipped(source.skipped, options.allow_skipped, path, notes, step);
   if (!options.default_height_chosen) require_heights(source, path);
   draft.history = history_of(step);

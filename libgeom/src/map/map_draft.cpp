@@ -12,6 +12,7 @@ namespace geom {
 void add_options(HistoryStep& step, const MakeMapOptions& options) {
   step["seal"] = options.seal.value_or(0);
   step["pad"] = options.pad.value_or(0);
+  if (options.headroom) step["headroom"] = *options.headroom;
   if (options.scale != 1) step["scale"] = options.scale;
   if (options.bloat_percent > 0) step["bloat_percent"] = options.bloat_percent;
   if (options.inflate > 0) step["inflate"] = options.inflate;

@@ -32,6 +32,7 @@ Json to_json(const MapDraft& draft) {
   }
   if (map.bounds) out["bounds"] = {to_json(map.bounds->min), to_json(map.bounds->max)};
   if (map.floor) out["floor"] = *map.floor;
+  if (map.headroom) out["headroom"] = *map.headroom;
   if (map.ceiling) out["ceiling"] = *map.ceiling;
   return out;
 }
@@ -61,11 +62,12 @@ MapDraft read_draft(const JsonFields& fields) {
   map.tile_size = number_of(fields, "tile_size");
   map.floor = fields.number("floor");
   map.ceiling = fields.number("ceiling");
+  map.headroom = fields.number("headroom");
   const bool sizes = map.scale > 0 && map.bloat_percent >= 0 && map.inflate >= 0 && *map.pad >= 0 &&
-                     *map.seal >= 0 && map.tile_size >= 1;
+                     *map.seal >= 0 && map.headroom.value_or(0) >= 0 && map.tile_size >= 1;
   if (!sizes) {
     fields.refuse(
-        {.expected = "scale > 0, tile_size >= 1, and bloat_percent, inflate, pad and seal >= 0",
+        {.expected = "scale > 0, tile_size >= 1, and bloat_percent, inflate, pad, headroom and seal >= 0",
          .found = "others",
          .advice = "the file is damaged"});
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geom/map/wider_bounds.h"
 #include "geom/vehicle/shown_limit.h"
 
 namespace traj {
@@ -61,6 +62,14 @@ bool is_timed(const geom::CollisionScene& scene, const CheckResult& result) {
          !scene.map().time(*result.box).always();
 }
 
+// Where it leaves the bounds: which face, and the map that would do.
+std::string or_wider(const geom::CollisionScene& scene, const CheckResult& result) {
+  if (result.reason != Reason::bounds) return "";
+  geom::WiderBounds wider(scene.map().spec().bounds);
+  wider.add(result.place, scene.half(), result.worst);
+  return fmt::format("; that is {}: {}", wider.in_words(), wider.advice());
+}
+
 // What to do about it.
 std::string remedy(const geom::CollisionScene& scene, const MissionTask& task,
                    const CheckResult& result) {
@@ -79,9 +88,10 @@ std::string remedy(const geom::CollisionScene& scene, const MissionTask& task,
   }
   if (near && !result.strayed.empty()) {
     return fmt::format(
-        "make the path anew with {:g} m more margin (skyway-plan --margin), or fly slower "
-        "(--speed)",
-        std::ceil(100 * result.worst) / 100);
+               "make the path anew with {:g} m more margin (skyway-plan --margin), or fly slower "
+               "(--speed)",
+               std::ceil(100 * result.worst) / 100) +
+           or_wider(scene, result);
   }
   if (near) {
     const double spare = std::ceil(100 * result.worst) / 100;  // in whole centimetres
@@ -89,7 +99,8 @@ std::string remedy(const geom::CollisionScene& scene, const MissionTask& task,
            (spare <= scene.margin()
                 ? fmt::format(", or ask for {:g} m less than its margin (--spare {:g})", spare,
                               spare)
-                : "");
+                : "") +
+           or_wider(scene, result);
   }
   if (limit && task.format->has_legs) return "fly slower (--speed)";
   if (limit) return "solve it again with stricter limits (skyway-traj)";

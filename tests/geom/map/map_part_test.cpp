@@ -18,6 +18,8 @@ MapDraft draft_of(const BoxMap& city) {
   draft.options.inflate = 0.25;
   draft.options.floor = -3;
   draft.options.seal = 2;
+  draft.options.pad = 7;
+  draft.options.headroom = 90;
   draft.history = R"([{"tool":"test"}])";
   return draft;
 }
