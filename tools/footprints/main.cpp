@@ -4,6 +4,7 @@
 #include "cli/option/format_options.h"
 #include "cli/option/map_output.h"
 #include "cli/option/numbers_option.h"
+#include "cli/option/origin_option.h"
 #include "cli/option/output_option.h"
 #include "cli/option/units.h"
 #include "cli/run.h"
@@ -92,12 +93,12 @@ void Options::add_to(CLI::App& app) {
 
 std::optional<geom::Vec2> place_of(const std::string& origin) {
   if (origin.empty()) return std::nullopt;
-  const auto numbers = cli::parse_numbers(origin, 2);
-  if (!numbers || std::abs((*numbers)[0]) > 90 || std::abs((*numbers)[1]) > 180) {
-    throw cli::UsageError("--origin must be LATITUDE,LONGITUDE in degrees, found \"" + origin +
-                          "\"");
+  const geom::GeodeticOrigin at = cli::origin_from(origin);
+  if (cli::parse_numbers(origin, 3)) {
+    throw cli::UsageError("--origin: expected no height, found \"" + origin +
+                          "\": heights of footprints are those of the file");
   }
-  return geom::Vec2((*numbers)[0], (*numbers)[1]);
+  return geom::Vec2(at.latitude, at.longitude);
 }
 
 void Options::settle() {

@@ -306,7 +306,7 @@ def test_maps_are_those_of_the_tools(out):
         ("footprints", skyway.import_footprints, "house.gml", {"storey": 2.8}),
         ("footprints", skyway.import_footprints, "surface.tif", {"height_step": 1.0}),
         ("cloud", skyway.import_cloud, "scan.laz", {}),
-        ("cloud", skyway.import_cloud, "scan.las", {"ground": "drop", "ground_by": "shape", "ground_cell": 4.0}),
+        ("cloud", skyway.import_cloud, "scan.las", {"ground_points": "drop", "ground_by": "shape", "ground_cell": 4.0}),
         ("cloud", skyway.import_cloud, "scan.copc.laz", {"bounds": box, "cell": 2.0}),
         ("cloud", skyway.import_cloud, "scan.pcd", {"mode": "objects", "tolerance": 2.0}),
         ("cloud", skyway.import_cloud, "scan.ply", {"voxel": 0.5, "outliers": (8, 1.5)}),

@@ -1,25 +1,17 @@
 #include "placement_option.h"
 
-#include <cmath>
-
-#include "numbers_option.h"
+#include "origin_option.h"
 
 namespace cli {
 
 void add_origin(CLI::App& app, traj::Placement& placement) {
   app.add_option_function<std::string>(
          "--origin",
-         [&placement](const std::string& text) {
-           const auto v = parse_numbers(text, 3);
-           if (!v || std::abs((*v)[0]) > 90 || std::abs((*v)[1]) > 180) {
-             throw CLI::ValidationError(
-                 "--origin", "expected latitude,longitude,height, found \"" + text + '"');
-           }
-           placement.origin = geom::GeodeticOrigin{(*v)[0], (*v)[1], (*v)[2]};
-         },
-         "where on Earth the map's (0, 0, 0) is: degrees, and metres above the ellipsoid (default: "
-         "what the map says)")
-      ->type_name("LAT,LON,HEIGHT");
+         [&placement](const std::string& text) { placement.origin = origin_from(text); },
+         "where on Earth the map's (0, 0, 0) is: degrees, and metres above the ellipsoid where "
+         "that "
+         "is known (default: what the map says)")
+      ->type_name(kOriginForm);
   app.add_option("--geoid", placement.geoid,
                  "height of the sea level there above the ellipsoid, metres; converts heights "
                  "above the sea (default 0)")

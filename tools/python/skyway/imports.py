@@ -48,7 +48,7 @@ def import_footprints(path, *, format="auto", slack=0.5, height_attribute=None, 
 
 
 def import_cloud(path, *, format="auto", mode="columns", cell=1.0, step=0.5, gap=2.0, unknown="free", classes=(),
-                 noise="keep", outliers=None, voxel=None, resolution=None, ground="keep", ground_by="auto",
+                 noise_points="keep", outliers=None, voxel=None, resolution=None, ground_points="keep", ground_by="auto",
                  ground_cell=2.0, ground_slope=0.1, ground_height=0.3, ground_step=1.0, ground_widest=200.0,
                  tolerance=1.0, min_points=1, crs=None, units=None, vertical_units=None, origin=None,
                  allow_skipped=False, seal=None, floor=None, ceiling=None, pad=None, scale=1.0, bloat_percent=0.0,
