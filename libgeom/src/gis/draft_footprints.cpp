@@ -66,6 +66,8 @@ HistoryStep step_of(const std::string& hash, const FootprintDraftOptions& asked,
                       {"default_height", options.read.height.default_height}};
   if (!source.beside.empty()) step["beside"] = hashes_of(source.beside, options.open);
   if (!options.terrain.empty()) step["terrain"] = hash_of(options.terrain, options.open);
+  if (!options.read.types.empty()) step["types"] = options.read.types;
+  if (!source.left_out.empty()) step["left_out"] = source.left_out;
   if (options.read.height_unit) step["height_units_m"] = *options.read.height_unit;
   add_options(step, options.map);
   const std::vector<std::string> words = defaulted(asked.map, options.map);
@@ -73,12 +75,36 @@ HistoryStep step_of(const std::string& hash, const FootprintDraftOptions& asked,
   return step;
 }
 
+std::size_t left_out_of(const Source& source) {
+  std::size_t count = 0;
+  for (const auto& [type, n] : source.left_out) count += n;
+  return count;
+}
+
 std::vector<Fact> facts_of(const Source& source, const FootprintFormat& format) {
   std::vector<Fact> facts = {{"format", std::string(format.format->word)},
                              {"footprints", source.footprints.size()}};
   for (const auto& [what, n] : source.counts) facts.emplace_back(what, n);
   if (!source.skipped.empty()) facts.emplace_back("skipped", source.skipped.count());
+  for (const auto& [kind, n] : source.skipped.by_kind()) facts.emplace_back("skipped: " + kind, n);
+  if (!source.left_out.empty()) facts.emplace_back("left_out", left_out_of(source));
   return facts;
+}
+
+// What is not built by its type, and why.
+void tell_left_out(const Source& source, const std::string& name, const Notes& notes) {
+  if (source.left_out.empty()) return;
+  std::string types;
+  for (const auto& [type, n] : source.left_out) {
+    types += fmt::format("{}{} {}", types.empty() ? "" : ", ", n, type.substr(0, 60));
+  }
+  const std::string why =
+      source.left_out_rise ? fmt::format(
+                                 "they lie on the ground, at most {:.2f} m above its lowest place "
+                                 "(--types says what is built)",
+                                 *source.left_out_rise)
+                           : std::string("--types does not name them");
+  notes.warning(fmt::format("{}: left out: {}; {}", name, types, why));
 }
 
 // Counts of the file that was read, and facts about it.
@@ -89,6 +115,7 @@ void tell(const Source& source, const std::string& name, double default_height,
   if (!report.empty()) {
     notes.remark(fmt::format("{}: footprints: {}{}", name, source.footprints.size(), report));
   }
+  tell_left_out(source, name, notes);
   for (const std::string& warning : source.warnings) notes.warning(name + ": " + warning);
   if (!source.defaults.empty()) {
     notes.warning(fmt::format("{}: {} m is taken where nothing tells the height: {}", name,
@@ -129,6 +156,16 @@ Frame place(Source& source, const FootprintDraftOptions& options, const std::str
   return projector.frame();
 }
 
+// All that is refused, so that nobody mends one thing to hear of the next.
+void refuse_at_once(const Source& source, const FootprintDraftOptions& options,
+                    const std::string& name) {
+  std::string faults;
+  if (!source.skipped.empty() && !options.allow_skipped) faults = skipped_fault(source.skipped);
+  const std::string heights = options.default_height_chosen ? "" : heights_fault(source);
+  if (!heights.empty()) faults += (faults.empty() ? "" : "; and ") + heights;
+  if (!faults.empty()) throw InputError(name, {.says = faults});
+}
+
 }  // namespace
 
 MapDraft draft_footprints(const std::string& path, HashedStream& file,
@@ -146,11 +183,13 @@ MapDraft draft_footprints(const std::string& path, HashedStream& file,
   tell_room(asked.map, options.map, path, notes);
   draft.facts = facts_of(source, *options.format);
   HistoryStep step = step_of(file.hash(), asked, options, source);
+  refuse_at_once(source, options, path);
   settle_skipped(source.skipped, options.allow_skipped, path, notes, step);
-  if (!options.default_height_chosen) require_heights(source, path);
   draft.history = history_of(step);
   draft.options = options.map;
   draft.table = boxes_of(source.footprints, options.read.slack, run);
+  draft.table.labels.resize(source.labels.size() + 1);
+  for (const auto& [label, number] : source.labels) draft.table.labels[number] = label;
   return draft;
 }
 
