@@ -29,7 +29,8 @@ constexpr Group kGroups[] = {
     {"Output",
      "-o --output --report --json --degrees --profile --profile-step=LENGTH --junit --certificate "
      "--tree --corridor-file --python --table --show --unchecked --no-clearance --resample=METRES "
-     "export--rate=HERTZ export--axes --wpml-version --aircraft --hover --turns=METRES "
+     "export--rate=HERTZ export--axes --wpml-version --aircraft --hover --turns=METRES --lost-link "
+     "--gimbal=DEGREES "
      "--volumes --buffer=METRES --speed=METRES/S export--tolerance=METRES --title=WORDS --depth "
      "--depth-unit=METRES --ids render--poses --clear-tube --log-rate=HERTZ"},
     {"Vehicle and room",

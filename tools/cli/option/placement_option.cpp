@@ -30,8 +30,10 @@ void add_placement(CLI::App& app, traj::Placement& placement) {
   app.add_option("--takeoff-height", placement.takeoff_height,
                  "metres above the ground to which a Tello rises on take-off (default 1)")
       ->check(CLI::Range(0.2, 10.0));
-  app.add_option("--heading", placement.heading,
-                 "where a Tello's nose points on the ground, degrees clockwise from north")
+  app.add_option(
+         "--heading", placement.heading,
+         "where a Tello's nose points on the ground, or a DJI aircraft's on its way, degrees "
+         "clockwise from north")
       ->check(CLI::Range(-360.0, 360.0));
 }
 
