@@ -35,7 +35,7 @@ VALUES = {
     "--vmax-h": "6", "--vmax-v": "3", "--tilt": "20", "--thrust": "12", "--body-rate": "90", "--yaw-rate": "50",
     "--exact": None, "--no-clearance": None, "--together": None, "--separation": "9,4", "--separation-box": "3,3,3",
     "--downwash": "1,2", "--parked": "gone", "--rate": "20", "--speed": "0.7", "--hover": None, "--wpml-version": "1.0.2",
-    "--aircraft": "m30", "--turns": "3", "--volumes": "3", "--buffer": "2", "--python": "x.py", "--table": "x.csv",
+    "--aircraft": "m30", "--lost-link": "continue", "--gimbal": "-45", "--label-by": "object", "--turns": "3", "--volumes": "3", "--buffer": "2", "--python": "x.py", "--table": "x.csv",
 }
 # Where the same word means another thing.
 OF_TOOL = {"skyway-check": {"--vmax": "1", "--amax": "2"}, "skyway-cloud": {"--ground-points": "drop", "--origin": "37.79,-122.39"},
