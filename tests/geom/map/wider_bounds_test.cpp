@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
+#include "support/random_city.h"
+
 namespace geom {
 namespace {
 
@@ -50,6 +54,45 @@ TEST(WiderBounds, TakesARoundingForAWholeMetre) {
   WiderBounds hair(kBounds);
   hair.add({{1, 1, 1}, {2, 2, 60 + 1e-5}});
   EXPECT_EQ(hair.in_words(), "less than 1 mm above the ceiling, z = 60");
+}
+
+bool within(const Aabb& inner, const Aabb& outer) {
+  return contains(outer, inner.min) && contains(outer, inner.max);
+}
+
+// The bounds that the option of skyway-map bounds gives.
+Aabb widened(const Aabb& bounds, const std::string& option) {
+  Aabb out = bounds;
+  const auto number_behind = [&](const std::string& word, double& value) {
+    const std::size_t at = option.find(word);
+    if (at != std::string::npos) value = std::stod(option.substr(at + word.size()));
+  };
+  number_behind("--floor ", out.min.z());
+  number_behind("--ceiling ", out.max.z());
+  std::size_t at = option.find('=');
+  for (int i = 0; i < 6 && at != std::string::npos; ++i) {
+    (i < 3 ? out.min : out.max)[i % 3] = std::stod(option.substr(at + 1));
+    at = option.find(',', at + 1);
+  }
+  return out;
+}
+
+TEST(WiderBounds, GivesAnOptionThatHoldsAllAndLittleMore) {
+  support::Random random(3);
+  for (int i = 0; i < 2000; ++i) {
+    WiderBounds wider(kBounds);
+    Aabb all = kBounds;
+    for (int n = 0; n < 1 + i % 3; ++n) {
+      const Vec3 low(random.uniform(-20, 90), random.uniform(-20, 90), random.uniform(-9, 90));
+      const Aabb room{low, low + Vec3::Constant(random.uniform(0, 9))};
+      wider.add(room);
+      all = merged(all, room);
+    }
+    const Aabb made = widened(kBounds, wider.option());
+    EXPECT_TRUE(within(all, grow(made, Vec3::Constant(1e-6)))) << "seed 3, case " << i;
+    EXPECT_TRUE(within(made, grow(all, Vec3::Constant(1)))) << "seed 3, case " << i;
+    EXPECT_EQ(wider.any(), !(all == kBounds)) << "seed 3, case " << i;
+  }
 }
 
 TEST(WiderBounds, GoesAsFarOutAsIsSaidBesideTheFurthestFace) {

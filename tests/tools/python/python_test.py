@@ -303,6 +303,7 @@ def test_maps_are_those_of_the_tools(out):
                                                                     "allow_skipped": True, "default_height": 9}),
         ("footprints", skyway.import_footprints, "block.osm", {"origin": (60.17, 24.94)}),
         ("footprints", skyway.import_footprints, "house.city.json", {}),
+        ("footprints", skyway.import_footprints, "house.city.json", {"types": ["Building"], "label_by": "object", "pad": 0}),
         ("footprints", skyway.import_footprints, "house.gml", {"storey": 2.8}),
         ("footprints", skyway.import_footprints, "surface.tif", {"height_step": 1.0}),
         ("cloud", skyway.import_cloud, "scan.laz", {}),

@@ -347,7 +347,8 @@ def import_boxes(path: _Path, *, format: str = "auto", frame: Optional[str] = No
 
 def import_footprints(path: _Path, *, format: str = "auto", slack: float = 0.5,
                       height_attribute: Optional[str] = None, storey: float = 3.0,
-                      default_height: Optional[float] = None, where: Optional[str] = None, height_step: float = 0.5,
+                      default_height: Optional[float] = None, types: Sequence[str] = (), label_by: str = "type",
+                      where: Optional[str] = None, height_step: float = 0.5,
                       terrain: Optional[str] = None, origin: Optional[Sequence[float]] = None,
                       height_units: Optional[str] = None, axes: Optional[str] = None, metres: bool = False,
                       allow_skipped: bool = False, seal: Optional[float] = None, floor: Optional[float] = None,

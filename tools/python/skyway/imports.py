@@ -39,7 +39,7 @@ def import_boxes(path, *, format="auto", frame=None, units="m", unknown="free", 
 
 
 def import_footprints(path, *, format="auto", slack=0.5, height_attribute=None, storey=3.0, default_height=None,
-                      where=None, height_step=0.5, terrain=None, origin=None, height_units=None, axes=None,
+                      types=(), label_by="type", where=None, height_step=0.5, terrain=None, origin=None, height_units=None, axes=None,
                       metres=False, allow_skipped=False, seal=None, floor=None, ceiling=None, pad=None, scale=1.0,
                       bloat_percent=0.0, inflate=0.0, bounds=None, tile=100.0, threads=0):
     """Footprints, a city model or a height model as a BoxMap, as skyway-footprints makes it."""
