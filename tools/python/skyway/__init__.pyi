@@ -448,6 +448,9 @@ class _ExportOptions(TypedDict, total=False):
     wpml_version: str
     aircraft: str
     turns: float
+    takeoff_place: Sequence[float]
+    lost_link: str
+    gimbal: float
     autopilot: str
     navigation: tuple[float, float]
     tracking: tuple[float, float]
