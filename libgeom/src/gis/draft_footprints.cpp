@@ -180,11 +180,11 @@ MapDraft draft_footprints(const std::string& path, HashedStream& file,
   draft.source = path;
   draft.frame = place(source, options, path);
   tell(source, path, options.read.height.default_height, notes);
-  tell_room(asked.map, options.map, path, notes);
   draft.facts = facts_of(source, *options.format);
   HistoryStep step = step_of(file.hash(), asked, options, source);
   refuse_at_once(source, options, path);
   settle_skipped(source.skipped, options.allow_skipped, path, notes, step);
+  tell_room(asked.map, options.map, path, notes);
   draft.history = history_of(step);
   draft.options = options.map;
   draft.table = boxes_of(source.footprints, options.read.slack, run);

@@ -93,7 +93,7 @@ LeftOutTypes leave_out_flat(CityModel& model, double unit) {
   for (CityObject& object : model.objects) {
     if (!kFlat.contains(object.type)) continue;
     const double rise = heights_of(object, unit).high - ground;
-    if (rise > kFlatRise) continue;
+    if (!(rise >= 0 && rise <= kFlatRise)) continue;  // below 0: it has no surface
     object.left_out = true;
     ++out.count[object.type];
     out.rise = std::max(out.rise, rise);

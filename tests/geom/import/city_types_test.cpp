@@ -42,6 +42,12 @@ TEST(LeaveOut, KeepsARoadThatRisesAboveTheGround) {
   EXPECT_EQ(leave_out(feet, {}, 0.3048).count, (Counts{{"Road", 1}}));
 }
 
+TEST(LeaveOut, DoesNotCountWhatHasNoSurface) {
+  CityModel model = model_of({object("Building", "b", 0, 30), object("Road", "r", 0, 0.5)});
+  model.objects.push_back({.type = "Road", .name = "bare", .whole = "bare"});
+  EXPECT_EQ(leave_out(model, {}, 1).count, (Counts{{"Road", 1}}));
+}
+
 TEST(LeaveOut, KeepsAllWhereNothingElseWouldBeLeft) {
   CityModel model = model_of({object("LandUse", "l", 0, 1), object("Road", "r", 0, 1)});
   EXPECT_TRUE(leave_out(model, {}, 1).count.empty());
