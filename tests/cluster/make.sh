@@ -20,7 +20,7 @@ run
 grep -q '"ok":true' reports.jsonl
 skyway-import -q city.csv | cmp - city.boxmap
 skyway-lattice city.boxmap --spacing 5 --vehicle box:1,1,1 | cmp - city.lattice
-skyway-roadmap city.boxmap --within 60 --vehicle box:1,1,1 | cmp - city.roadmap
+skyway-roadmap city.boxmap --reach 60 --vehicle box:1,1,1 | cmp - city.roadmap
 skyway-plan city.boxmap --lattice city.lattice --roadmap city.roadmap --queries queries.jsonl --vehicle box:1,1,1 \
   --snap-ends 60 -q | cmp - paths.jsonl
 skyway-traj city.boxmap paths.jsonl --vmax 8 --amax 6 --solver stop-and-go -q | cmp - trajectories.jsonl

@@ -41,9 +41,9 @@ sharded() {
   skyway-join "$kind".shard.{3,1,2} -o "$kind.joined" || [ $? -eq 1 ]
   cmp "$kind.joined" "$kind.1"
 }
-skyway-roadmap map --within 50 --vehicle box:0.5,0.5,0.3 -o roadmap.1
+skyway-roadmap map --reach 50 --vehicle box:0.5,0.5,0.3 -o roadmap.1
 sharded lattice skyway-lattice map --spacing 10 --connect 26 --vehicle box:0.5,0.5,0.3
-sharded roadmap skyway-roadmap map --within 50 --vehicle box:0.5,0.5,0.3
+sharded roadmap skyway-roadmap map --reach 50 --vehicle box:0.5,0.5,0.3
 sharded paths skyway-plan map --lattice lattice.1 --queries queries --vehicle box:0.5,0.5,0.3 --snap-ends 30
 sharded trajectories skyway-traj map paths.1 --vmax 8 --amax 6 --solver stop-and-go
 fly=(skyway-fly trajectories.1 --vehicle "$vehicle" --wind 3,1,0 --gusts 3 --noise 0.01,0.05,0.5,1 --mass-error 0.1

@@ -54,7 +54,7 @@ def measure(map_file, boxes, low, high, with_roadmap):
     asking = ["skyway-plan", map_file, *VEHICLE, "--queries", queries(map_file, low, high)]
     if with_roadmap:
         roadmap = FOLDER / "r.roadmap"
-        steps["roadmap"] = run("skyway-roadmap", map_file, *VEHICLE, "--within", 40, output=roadmap)
+        steps["roadmap"] = run("skyway-roadmap", map_file, *VEHICLE, "--reach", 40, output=roadmap)
         steps["plan --roadmap"] = asked(*asking, "--roadmap", roadmap, output=paths)
     steps["plan"] = asked(*asking, output=paths)
     steps["check"] = asked("skyway-check", map_file, paths, output=FOLDER / "reports.jsonl")

@@ -168,7 +168,7 @@ SOURCES = [
     ("height model, cells of 1 m", height_model(1.0), "tif", ["skyway-footprints", "--threads", "1"], GDAL),
     ("height model, cells of 10 m", height_model(10.0), "tif", ["skyway-footprints", "--threads", "1"], GDAL),
     ("cloud, columns", scan, "pcd", ["skyway-cloud"], PCL),
-    ("cloud, columns without ground", scan, "pcd", ["skyway-cloud", "--ground", "drop"], PCL),
+    ("cloud, columns without ground", scan, "pcd", ["skyway-cloud", "--ground-points", "drop"], PCL),
     ("cloud, objects", scan, "pcd", ["skyway-cloud", "--mode", "objects"], PCL),
     ("mesh, solid, OBJ", mesh, "obj", ["skyway-mesh", "--solid", "--threads", "1"], None),
 ]

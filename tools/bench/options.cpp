@@ -36,7 +36,7 @@ void add_queries(CLI::App& app, Files& files, Options& options) {
                "draw random queries until the mean time is known (default), or as many as --trials")
       ->excludes(queries);
   app.add_option(
-         "--within", options.within,
+         "--precision", options.within,
          "the mean time is known when its standard error is within this, percent (default 1)")
       ->check(CLI::Range(0.0, 100.0));
   app.add_option("--min-trials", options.rule.least,
@@ -69,7 +69,7 @@ void add_methods(CLI::App& app, Files& files, Options& options) {
   app.add_option("--spacing", options.method.spacing,
                  "astar: spacing of the lattice, metres (default 25, less on maps under 300 m)")
       ->check(CLI::Range(1e-3, 1e6));
-  app.add_option("--connectivity", options.connect, "astar: 6, 18 or 26 neighbours (default 6)")
+  app.add_option("--connect", options.connect, "astar: 6, 18 or 26 neighbours (default 6)")
       ->check(CLI::IsMember({6, 18, 26}));
   app.add_option(
          "--ompl-seconds", options.method.seconds,

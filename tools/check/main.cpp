@@ -13,6 +13,7 @@
 #include "cli/run.h"
 #include "cli/tell.h"
 #include "flight_logs.h"
+#include "geom/map/wider_bounds.h"
 #include "geom/record/agreed_room.h"
 #include "report_output.h"
 #include "together.h"
@@ -116,6 +117,7 @@ class Reports {
     ++count_;
     ok ? batch_.add_good()
        : batch_.add_failed(verdict_word(report), report.id + ": " + in_words(report, map_));
+    if (!ok && report.result.reason == traj::Reason::bounds) add_beyond(report);
     if (certificates_) certificates_->add(ok ? certificate(report) : std::string());
     profile_.finish_record();
     suite_.add(report, map_);
@@ -183,11 +185,27 @@ class Reports {
   const std::vector<std::string>& dropped() const { return dropped_; }
   // Whether stderr says what failed.
   bool tells() const { return output_.tells(); }
+
+  // What to do where records leave the bounds.
+  void tell_beyond(const cli::Common& common) const {
+    if (!wider_.any()) return;
+    cli::tell(
+        common, "skyway-check",
+        fmt::format("the bounds are left, at most {}: {}", wider_.in_words(), wider_.advice()));
+  }
+
   std::size_t count() const { return count_; }
   std::size_t failed() const { return failed_; }
   const cli::Batch& batch() const { return batch_; }
 
  private:
+  void add_beyond(const traj::ReportRecord& report) {
+    const geom::Vec3 half = report.provenance.vehicle ? report.provenance.vehicle->half
+                                                      : geom::Vec3(geom::Vec3::Zero());
+    const double margin = report.provenance.margin.value_or(0);
+    wider_.add(report.result.place, half + geom::Vec3::Constant(margin), report.result.worst);
+  }
+
   std::string certificate(const traj::ReportRecord& report) const {
     traj::CertificateRecord record{report.id,          report.checked,    *report.exact,
                                    map_.spec().bounds, report.provenance, report.limits,
@@ -205,6 +223,7 @@ class Reports {
   std::optional<cli::OutputFile> junit_;
   traj::JUnitSuite suite_;
   std::optional<traj::VerdictTable> table_;
+  geom::WiderBounds wider_{map_.spec().bounds};  // that would hold what leaves them
   bool parks_;
   bool drops_;
   const checking::ReportOutput& output_;
@@ -373,6 +392,7 @@ int main(int argc, char** argv) {
       reports.batch().tell(common, "skyway-check", "records failed");
       tell_verdicts(common, verdicts);
     }
+    reports.tell_beyond(common);
     verdicts["collision"] = scenes.stats();
     common.write_stats(verdicts);
     return exit;

@@ -20,7 +20,7 @@ void refuse_what_needs_more(const std::string& input, const Options& options,
                             const cli::Sharding& sharding) {
   const geom::CloudDraftOptions& draft = options.draft;
   if (input == "-" && draft.drop_ground && draft.ground_by != "class" && !draft.in_memory()) {
-    throw cli::UsageError("--ground drop reads the file twice: it cannot be stdin");
+    throw cli::UsageError("--ground-points drop reads the file twice: it cannot be stdin");
   }
   if (sharding.asked() && draft.in_memory()) {
     throw cli::UsageError(

@@ -18,7 +18,7 @@ std::vector<cli::FormatOption> format_options() {
     if (format->is_surveyed) surveyed.push_back(format->format->word);
   }
   return {{"--classes", surveyed},
-          {"--noise", surveyed},
+          {"--noise-points", surveyed},
           {"--resolution", surveyed},
           {"--ground-by", surveyed}};
 }
@@ -34,7 +34,8 @@ void add_class(const std::string& word, std::bitset<256>& classes) {
 }
 
 void add_ground(CLI::App& app, Options& options) {
-  app.add_option("--ground", options.ground, "keep (default) the ground as boxes, or drop it")
+  app.add_option("--ground-points", options.ground,
+                 "keep (default) the ground as boxes, or drop it")
       ->check(CLI::IsMember({"keep", "drop"}));
   app.add_option("--ground-by", options.draft.ground_by,
                  "what tells the ground: the file's class, its shape, or (auto, the default) the "
@@ -98,7 +99,7 @@ void Options::add_to(CLI::App& app) {
          "keep only these LAS classes, by name or number: ground,building,9,…")
       ->delimiter(',')
       ->type_name("CLASS,…");
-  app.add_option("--noise", noise,
+  app.add_option("--noise-points", noise,
                  "keep (default) what the file classifies as noise as boxes, or drop it")
       ->check(CLI::IsMember({"keep", "drop"}));
   app.add_option("--outliers", outliers,
@@ -129,7 +130,7 @@ void Options::settle() {
   cli::only_for(*app_, mode == "columns", {"--cell", "--step", "--gap", "--unknown"},
                 "--mode columns");
   cli::only_for(*app_, mode == "objects", {"--tolerance", "--min-points"}, "--mode objects");
-  cli::only_for(*app_, draft.drop_ground, {"--ground-by"}, "--ground drop");
+  cli::only_for(*app_, draft.drop_ground, {"--ground-by"}, "--ground-points drop");
   if (!draft.drop_ground || draft.ground_by == "class") require_used_ground("");
 }
 
@@ -143,7 +144,8 @@ void Options::require_used_ground(const std::string& told_by) const {
   cli::only_for(
       *app_, told_by == "shape",
       {"--ground-cell", "--ground-slope", "--ground-height", "--ground-step", "--ground-widest"},
-      "--ground drop by shape (--ground-by shape; auto takes the file's class where a point has "
+      "--ground-points drop by shape (--ground-by shape; auto takes the file's class where a point "
+      "has "
       "that of ground)");
 }
 

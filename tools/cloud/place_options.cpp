@@ -1,8 +1,6 @@
 #include "place_options.h"
 
-#include <cmath>
-
-#include "cli/option/numbers_option.h"
+#include "cli/option/origin_option.h"
 #include "cli/option/units.h"
 #include "cli/run.h"
 
@@ -32,22 +30,13 @@ void PlaceOptions::add_to(CLI::App& app) {
          "where on Earth the map's (0, 0, 0) is, x east and y north of it: degrees, and metres of "
          "height (default 0). Coordinates of a reference system are brought there; auto: near the "
          "first point")
-      ->type_name("LAT,LON[,HEIGHT]|auto");
+      ->type_name(std::string(cli::kOriginForm) + "|auto");
 }
 
 void PlaceOptions::parse_origin(const std::string& text) {
   options_.origin_near_points = text == "auto";
   if (options_.origin_near_points) return;
-  auto v = cli::parse_numbers(text, 3);
-  if (!v && (v = cli::parse_numbers(text, 2))) v->push_back(0);
-  if (!v || std::abs((*v)[0]) > 90 || std::abs((*v)[1]) > 180) {
-    throw cli::UsageError(
-        "--origin: expected LATITUDE,LONGITUDE in degrees, and a height in metres where it is "
-        "known, or "
-        "auto; found \"" +
-        text + '"');
-  }
-  options_.origin = geom::GeodeticOrigin{(*v)[0], (*v)[1], (*v)[2]};
+  options_.origin = cli::origin_from(text, "auto");
 }
 
 geom::CloudPlaceOptions PlaceOptions::options() const {

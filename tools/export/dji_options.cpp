@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/option/numbers_option.h"
+
 namespace exporting {
 
 namespace {
@@ -23,8 +25,8 @@ void add_dji_options(CLI::App& app, traj::DjiOptions& options, std::optional<dou
   app.add_option_function<std::string>(
          "--aircraft",
          [&options](const std::string& name) {
-           for (const auto& [known, aircraft] : traj::kDjiAircraft) {
-             if (name == known) options.aircraft = aircraft;
+           for (const traj::NamedDjiAircraft& known : traj::kDjiAircraft) {
+             if (name == known.name) options.aircraft = known.aircraft;
            }
          },
          "DJI: the aircraft that the mission is for: m30, m30t, m3e, m3t, m3m, m3d or m3td "
@@ -34,6 +36,21 @@ void add_dji_options(CLI::App& app, traj::DjiOptions& options, std::optional<dou
                  "DJI: turn without a stop, from at most so many metres before each waypoint to as "
                  "many behind it, where there is room (default: stop at each)")
       ->check(CLI::Range(0.2, 1000.0));
+  cli::add_point(app, "--takeoff-place", options.takeoff,
+                 "DJI: where the aircraft stands before it takes off, along the map's axes "
+                 "(default: under the first point)");
+  app.add_option_function<std::string>(
+         "--lost-link",
+         [&options](const std::string& word) {
+           options.lost_link = *geom::value_of(traj::kDjiLostLinkWords, word);
+         },
+         "DJI: what the aircraft does when it loses its controller: return (default), continue, "
+         "land or hover; only continue is a way that is proved")
+      ->check(CLI::IsMember({"return", "continue", "land", "hover"}));
+  app.add_option("--gimbal", options.gimbal,
+                 "DJI: pitch of the camera from the first waypoint on, degrees: -90 is straight "
+                 "down")
+      ->check(CLI::Range(traj::kDjiGimbalDown, traj::kDjiGimbalUp));
 }
 
 }  // namespace exporting

@@ -9,7 +9,7 @@
 
 namespace exporting {
 
-// --wpml-version, --aircraft and --turns.
+// --wpml-version, --aircraft, --turns, --takeoff-place, --lost-link and --gimbal.
 void add_dji_options(CLI::App& app, traj::DjiOptions& options, std::optional<double>& turns);
 
 }  // namespace exporting

@@ -41,7 +41,7 @@ void check_usage(const fly::Options& options, const Inputs& inputs, const cli::S
                  const std::string& report) {
   cli::at_most_one_stdin({inputs.map, inputs.trajectories});
   if (options.tube && (options.runs == 0 || inputs.map.empty())) {
-    throw cli::UsageError("--tube needs a map and --runs");
+    throw cli::UsageError("--clear-tube needs a map and --runs");
   }
   if (options.tune && (options.runs > 0 || !report.empty())) {
     throw cli::UsageError("--tune writes gains: it takes neither --runs nor --report");

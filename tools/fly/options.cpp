@@ -72,7 +72,7 @@ void Options::add_to(CLI::App& app) {
       ->check(CLI::IsMember({"none", "velocity", "full"}));
   cli::add_word(app, "--controller", controller, traj::kControlLawWords,
                 "cascade (PX4's structure) or geometric (Lee 2010)");
-  app.add_option("--step", step,
+  app.add_option("--loop-period", step,
                  "period of the position, velocity and attitude loops, s (default: 0.01 and 0.004)")
       ->check(CLI::Range(0.001, 0.1));
   app.add_option("--wind", wind, "velocity of the air, east, north, up, m/s")->type_name("E,N,U");
@@ -90,7 +90,7 @@ void Options::add_to(CLI::App& app) {
   app.add_option("--delay", delay,
                  "how late the measured position and velocity are, s (default: 0)")
       ->check(CLI::Range(0.0, 1.0));
-  app.add_option("--hover", hover, "hovering before the start, s (default: 3)")
+  app.add_option("--hover-time", hover, "hovering before the start, s (default: 3)")
       ->check(CLI::Range(0.0, 600.0));
   app.add_option("--settle", settle, "hovering after the end, s (default: 3)")
       ->check(CLI::Range(0.0, 600.0));
@@ -100,7 +100,7 @@ void Options::add_to(CLI::App& app) {
   app.add_option("--seed", seed, "seed of gusts, noise and runs (default: 0)");
   app.add_option("--runs", runs, "fly this many times more, with wind and mass by chance")
       ->check(CLI::Range(1, 1000000));
-  app.add_flag("--tube", tube,
+  app.add_flag("--clear-tube", tube,
                "with --runs and a map: ask whether the map is clear with the tracking tube added");
   app.add_flag("--tune", tune, "write gains found for these trajectories instead of a log");
   app.add_option("--cost", cost,
@@ -125,7 +125,7 @@ traj::FlightOptions Options::flight(const traj::VehicleProfile& profile) const {
   }
   out.law = controller;
   if (step > 0) {
-    const int period = milliseconds("--step", step);
+    const int period = milliseconds("--loop-period", step);
     out.periods = {period, period};
   }
   out.mass_error = mass_error;

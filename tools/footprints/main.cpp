@@ -4,6 +4,7 @@
 #include "cli/option/format_options.h"
 #include "cli/option/map_output.h"
 #include "cli/option/numbers_option.h"
+#include "cli/option/origin_option.h"
 #include "cli/option/output_option.h"
 #include "cli/option/units.h"
 #include "cli/run.h"
@@ -24,7 +25,9 @@ std::vector<cli::FormatOption> format_options() {
   };
   const auto buildings = words({&kVector, &kOsm, &kCityJson, &kCityGml});
   const auto unlike_osm = words({&kVector, &kCityJson, &kCityGml, &kRaster});
-  return {{"--height-attribute", buildings},
+  return {{"--types", words({&kOsm, &kCityJson, &kCityGml})},
+          {"--label-by", words({&kOsm, &kCityJson, &kCityGml})},
+          {"--height-attribute", buildings},
           {"--storey", buildings},
           {"--default-height", buildings},
           {"--where", words({&kVector})},
@@ -40,6 +43,7 @@ struct Options {
   geom::gis::FootprintDraftOptions draft;
   std::string origin;
   std::string height_units;
+  std::string label_by;
   std::string axes;
   CLI::Option* default_height = nullptr;
 
@@ -68,6 +72,16 @@ void Options::add_to(CLI::App& app) {
                      "height of buildings whose height the file does not tell, metres (default 10, "
                      "for at most a tenth of them)");
   default_height->check(CLI::Range(0.1, 2000.0));
+  app.add_option("--types", read.types,
+                 "of city models and OpenStreetMap data: build only these types, such as "
+                 "Building,Bridge or building,tower; what is left out is counted (default: all but "
+                 "roads, land use and the like on the ground)")
+      ->delimiter(',')
+      ->type_name("TYPE,…");
+  app.add_option("--label-by", label_by,
+                 "label boxes by the type of their object (default), or by its type and its own "
+                 "name in the file: type or object")
+      ->check(CLI::IsMember({"type", "object"}));
   app.add_option("--where", read.where, "only features for which this OGR SQL is true");
   app.add_option("--height-step", read.height_step,
                  "round the cells of a height model up to multiples of this, metres (default 0.5)")
@@ -92,17 +106,20 @@ void Options::add_to(CLI::App& app) {
 
 std::optional<geom::Vec2> place_of(const std::string& origin) {
   if (origin.empty()) return std::nullopt;
-  const auto numbers = cli::parse_numbers(origin, 2);
-  if (!numbers || std::abs((*numbers)[0]) > 90 || std::abs((*numbers)[1]) > 180) {
-    throw cli::UsageError("--origin must be LATITUDE,LONGITUDE in degrees, found \"" + origin +
-                          "\"");
+  const geom::GeodeticOrigin at = cli::origin_from(origin);
+  if (cli::parse_numbers(origin, 3)) {
+    throw cli::UsageError("--origin: expected no height, found \"" + origin +
+                          "\": heights of footprints are those of the file");
   }
-  return geom::Vec2((*numbers)[0], (*numbers)[1]);
+  return geom::Vec2(at.latitude, at.longitude);
 }
 
 void Options::settle() {
   draft.read.origin = place_of(origin);
   if (!height_units.empty()) draft.read.height_unit = cli::kMetres.at(height_units);
+  if (!label_by.empty()) {
+    draft.read.label_by = *geom::value_of(geom::gis::kLabelWords, label_by);
+  }
   if (!axes.empty()) {
     draft.read.axes =
         axes == "east-north" ? geom::gis::Axes::east_north : geom::gis::Axes::north_east;

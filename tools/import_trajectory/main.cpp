@@ -129,7 +129,7 @@ int main(int argc, char** argv) {
   cli::add_placement(app, options.reading.placement);
   options.add_heights_to(app);
   cli::add_point(
-      app, "--start", options.reading.start,
+      app, "--takeoff-place", options.reading.start,
       "where a Tello stands before it takes off, along the axes of --frame or of the map");
   metres.add_to(app);
   add_gap(app, gap);

@@ -60,7 +60,7 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1e-3, 1e6));
   app.add_option("--connect", asked.connect, "neighbours of a node: 6, 18 or 26 (default 6)")
       ->check(CLI::IsMember({6, 18, 26}));
-  cli::add_point(app, "--origin", asked.origin,
+  cli::add_point(app, "--node", asked.origin,
                  "a node, along the map's axes (default: the lower corner of the bounds)");
   vehicle.add_to(app);
   vehicle.add_memory_to(app);

@@ -5,6 +5,7 @@
 
 #include "cli/file/files.h"
 #include "cli/option/degrees.h"
+#include "cli/option/option_check.h"
 #include "cli/option/output_option.h"
 #include "geom/import/box_csv.h"
 #include "geom/map/difference.h"
@@ -74,6 +75,15 @@ std::vector<geom::Vec3> corners_of(const BoxTable& table) {
     out.push_back(box.max);
   }
   return out;
+}
+
+// Options that say how another one's file is read.
+void refuse_idle(const CLI::App& app, const Changes& changes) {
+  const bool volumes = !changes.keep_out.empty();
+  cli::only_for(app, volumes, {"--keep-out-local"}, "--keep-out");
+  cli::only_for(app, volumes || !changes.fence.empty(), {"--slack", "--far"},
+                "--keep-out and --fence");
+  cli::only_for(app, volumes || !changes.add.empty(), {"--metres"}, "--add and --keep-out");
 }
 
 void run_patch(const Files& files, const Changes& changes, const cli::Common& common) {
@@ -156,6 +166,7 @@ Verb patch(CLI::App& app, const cli::Common& common) {
                    "how far boxes may reach outside a volume, metres (default 0.5)")
       ->check(CLI::Range(0.01, 100.0));
   return {verb, [=, &common] {
+            refuse_idle(*verb, *changes);
             run_patch(*files, *changes, common);
             return cli::Exit::yes;
           }};

@@ -1,4 +1,4 @@
-// Maps of the same obstacles, or fewer of them: crop, join, merge, simplify, inflate, tile.
+// Maps of the same obstacles, or fewer of them: crop, bounds, join, merge, simplify, inflate, tile.
 
 #include <fmt/format.h>
 
@@ -7,7 +7,9 @@
 
 #include "cli/file/files.h"
 #include "cli/option/degrees.h"
+#include "cli/option/map_output.h"
 #include "cli/option/numbers_option.h"
+#include "cli/option/option_check.h"
 #include "cli/option/output_option.h"
 #include "cli/tell.h"
 #include "geom/map/box_map_file.h"
@@ -27,6 +29,20 @@ void run_crop(const Files& files, const Aabb& region, const cli::MetresOption& m
   const BoxMap map = open(files.map, common);
   metres.check_option(map.spec().frame, std::array{region.min, region.max}, "--bounds");
   write(files, geom::crop(map, region, files.map));
+}
+
+void run_bounds(const Files& files, const geom::BoundsChange& change,
+                const cli::MetresOption& metres, const cli::Common& common) {
+  if (!change.bounds && !change.floor && !change.ceiling && !change.pad) {
+    throw cli::UsageError("expected --ceiling, --floor, --pad or --bounds, found none");
+  }
+  const BoxMap map = open(files.map, common);
+  if (const auto& box = change.bounds) {
+    metres.check_option(map.spec().frame, std::array{box->min, box->max}, "--bounds");
+  }
+  const geom::MadeMap made = geom::with_bounds(map, change, files.map);
+  cli::warn_of_beyond(made, files.map, common);
+  write(files, made.map);
 }
 
 void run_join(const std::vector<std::string>& names, const std::string& output,
@@ -106,6 +122,28 @@ Verb crop(CLI::App& app, const cli::Common& common) {
           }};
 }
 
+Verb bounds(CLI::App& app, const cli::Common& common) {
+  auto files = std::make_shared<Files>();
+  auto change = std::make_shared<geom::BoundsChange>();
+  CLI::App* verb = files->add(app, "bounds", "the same boxes, and other bounds");
+  auto metres = std::make_shared<cli::MetresOption>();
+  verb->add_option("--ceiling", change->ceiling, "upper z of the bounds, metres");
+  verb->add_option("--floor", change->floor, "lower z of the bounds, metres");
+  verb->add_option("--pad", change->pad,
+                   "widen the bounds to at least this far beyond the obstacles, sideways and "
+                   "upward, metres")
+      ->check(CLI::Range(0.0, 1e6));
+  cli::add_box(*verb, "--bounds", change->bounds,
+               "the bounds along the map's axes, in place of --floor, --ceiling and --pad")
+      ->excludes("--floor", "--ceiling", "--pad");
+  metres->add_to(*verb);
+  return {verb, [=, &common] {
+            cli::only_for(*verb, change->bounds.has_value(), {"--metres"}, "--bounds");
+            run_bounds(*files, *change, *metres, common);
+            return cli::Exit::yes;
+          }};
+}
+
 Verb join(CLI::App& app, const cli::Common& common) {
   auto names = std::make_shared<std::vector<std::string>>();
   auto output = std::make_shared<std::string>("-");
@@ -159,7 +197,7 @@ Verb tile(CLI::App& app, const cli::Common& common) {
   auto files = std::make_shared<Files>();
   auto size = std::make_shared<double>(100);
   CLI::App* verb = files->add(app, "tile", "the same map in tiles of another size");
-  verb->add_option("--size", *size, "metres")->required()->check(CLI::Range(1.0, 1e6));
+  verb->add_option("--tile", *size, "metres")->required()->check(CLI::Range(1.0, 1e6));
   return {verb, [=, &common] {
             write(*files, geom::tile(open(files->map, common), *size));
             return cli::Exit::yes;

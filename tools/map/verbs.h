@@ -18,6 +18,7 @@ struct Verb {
 
 Verb info(CLI::App& app, const cli::Common& common);
 Verb crop(CLI::App& app, const cli::Common& common);
+Verb bounds(CLI::App& app, const cli::Common& common);
 Verb join(CLI::App& app, const cli::Common& common);
 Verb merge(CLI::App& app, const cli::Common& common);
 Verb simplify(CLI::App& app, const cli::Common& common);

@@ -1,11 +1,9 @@
 // skyway-mesh: models of triangles become box maps.
 
-#include <cmath>
-
 #include "cli/file/files.h"
 #include "cli/option/format_options.h"
 #include "cli/option/map_output.h"
-#include "cli/option/numbers_option.h"
+#include "cli/option/origin_option.h"
 #include "cli/option/output_option.h"
 #include "cli/option/units.h"
 #include "cli/run.h"
@@ -51,21 +49,10 @@ void Options::add_to(CLI::App& app) {
   app.add_option("--units", units, "unit of the file's numbers (default: what it says, else m)")
       ->check(CLI::IsMember(cli::kMetres));
   app.add_option_function<std::string>(
-         "--origin",
-         [this](const std::string& text) {
-           auto v = cli::parse_numbers(text, 3);
-           if (!v && (v = cli::parse_numbers(text, 2))) v->push_back(0);
-           if (!v || std::abs((*v)[0]) > 90 || std::abs((*v)[1]) > 180) {
-             throw cli::UsageError(
-                 "--origin: expected LATITUDE,LONGITUDE in degrees, and a height in metres where "
-                 "it is known, found \"" +
-                 text + '"');
-           }
-           draft.origin = geom::GeodeticOrigin{(*v)[0], (*v)[1], (*v)[2]};
-         },
+         "--origin", [this](const std::string& text) { draft.origin = cli::origin_from(text); },
          "where on Earth the map's (0, 0, 0) is, x east and y north of it: degrees, and metres "
          "above the ellipsoid (default 0)")
-      ->type_name("LAT,LON[,HEIGHT]");
+      ->type_name(cli::kOriginForm);
   cli::add_allow_skipped(app, draft.allow_skipped);
   cli::add_map_options(app, draft.map);
 }

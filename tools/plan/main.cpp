@@ -18,6 +18,7 @@
 #include "cli/tell.h"
 #include "geom/base/mapped_file.h"
 #include "geom/base/parallel.h"
+#include "geom/map/wider_bounds.h"
 #include "geom/record/query_record.h"
 #include "geom/text/counted.h"
 #include "plan/planner/moved_ends.h"
@@ -37,6 +38,7 @@ struct Answer {
   std::string why;                 // a line of certificates, or nothing
   plan::SearchTree tree;           // where it is to be written
   bool open = false;               // its bound is further away than was asked for
+  std::vector<geom::Aabb> ends;    // the vehicle at both, where one of them is outside
 };
 
 // What all came to.
@@ -48,6 +50,7 @@ struct Planned {
   std::size_t timed = 0;  // boxes that are there for a time only
   std::size_t open = 0;
   planning::SnappedEnds snapped;
+  std::optional<geom::WiderBounds> wider;  // that would hold all ends
   Answer last;
 
   void add(Answer answer) {
@@ -62,6 +65,7 @@ struct Planned {
                        of_one ? "" : answer.record.id + ": " + answer.record.message);
     }
     snapped.add(answer.moved);
+    for (const geom::Aabb& end : answer.ends) wider->add(end);
     last = std::move(answer);
   }
 };
@@ -89,6 +93,10 @@ class Outputs {
   std::optional<cli::RecordOutput> certificates_;
 };
 
+bool is_outside(geom::PathStatus status) {
+  return status == geom::PathStatus::start_outside || status == geom::PathStatus::goal_outside;
+}
+
 // Answers queries, by layers where these were named.
 class Answers {
  public:
@@ -101,14 +109,28 @@ class Answers {
   Answer to(const geom::PlanQuery& query) {
     plan::PlanResult result = plan(query);
     Answer answer{plan::path_record(scene_, query.id, result),
-                  plan::moved_ends(scene_, query, result), "", std::move(result.tree),
-                  result.bound && !result.bound->closed};
+                  plan::moved_ends(scene_, query, result),
+                  "",
+                  std::move(result.tree),
+                  result.bound && !result.bound->closed,
+                  {}};
     answer.record.time = query.time;
+    if (is_outside(answer.record.status)) answer.ends = ends_of(query);
     answer.why = plan::proof_line(scene_, query, std::move(result));
     return answer;
   }
 
+  const geom::Aabb& bounds() const { return scene_.map().spec().bounds; }
+
  private:
+  std::vector<geom::Aabb> ends_of(const geom::PlanQuery& query) const {
+    std::vector<geom::Aabb> out;
+    for (const geom::Vec3& end : {query.from, query.to}) {
+      if (end.allFinite()) out.push_back({end - scene_.half(), end + scene_.half()});
+    }
+    return out;
+  }
+
   plan::PlanResult plan(const geom::PlanQuery& query) {
     return layered_ ? layered_->plan(query.from, query.to, search_.started())
                     : planner_.plan(query.from, query.to, search_.started());
@@ -125,7 +147,8 @@ Planned plan_each(Answers answers, const std::vector<geom::PlanQuery>& queries,
                   const geom::Shard& shard, const geom::Execution& run, Outputs& out) {
   constexpr std::size_t kBlock = 1024;
   const std::vector<std::size_t> chosen = shard.items(queries.size());
-  Planned planned{.of_one = queries.size() == 1};
+  Planned planned{.of_one = queries.size() == 1,
+                  .wider = std::optional<geom::WiderBounds>(answers.bounds())};
   for (std::size_t begin = 0; begin < chosen.size(); begin += kBlock) {
     std::vector<Answer> block(std::min(kBlock, chosen.size() - begin));
     const auto progress = [&](std::size_t done, std::size_t) {
@@ -166,6 +189,11 @@ void tell(const cli::Common& common, const Planned& planned, double gap, bool of
                           geom::counted(planned.timed, "box is", "boxes are")));
   }
   planned.batch.tell(common, "skyway-plan", "queries have no path");
+  if (!of_one && planned.wider->any()) {
+    cli::tell(common, "skyway-plan",
+              fmt::format("ends lie outside the bounds, at most {}: {}", planned.wider->in_words(),
+                          planned.wider->advice()));
+  }
   if (of_one && !planned.found) cli::complain("skyway-plan", planned.last.record.message);
 }
 

@@ -239,7 +239,7 @@ std::vector<Verb> add_verbs(CLI::App& app, Options& options) {
   fleet_verb->add_option("files", options.inputs, "trajectories; - for stdin")->required();
   fleet_verb
       ->add_option(
-          "--within", options.within,
+          "--nearer-than", options.within,
           "pairs that come nearer than this, metres (default: as far as there are twice as "
           "many pairs as flights, at most 200)")
       ->check(CLI::Range(1e-3, 10000.0));

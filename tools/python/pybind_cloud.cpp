@@ -63,11 +63,11 @@ geom::CloudDraftOptions options_of(const Keywords& given, bool near_points) {
   options.format = given.format(geom::cloud_formats());
   options.place = place_of(given, near_points);
   options.classes = classes_of(given);
-  options.drop_noise = given.word("noise", {"keep", "drop"}) == "drop";
+  options.drop_noise = given.word("noise_points", {"keep", "drop"}) == "drop";
   options.outliers = outliers_of(given);
   options.voxel = given.optional_number("voxel", 0.001, 1000).value_or(0);
   options.resolution = given.optional_number("resolution", 0.001, 1000).value_or(0);
-  options.drop_ground = given.word("ground", {"keep", "drop"}) == "drop";
+  options.drop_ground = given.word("ground_points", {"keep", "drop"}) == "drop";
   options.ground_by = given.word("ground_by", {"auto", "class", "shape"});
   options.ground = {.cell = given.number("ground_cell", 0.1, 1000),
                     .slope = given.number("ground_slope", 0, 100),

@@ -16,6 +16,10 @@ geom::gis::ReadOptions read_options(const Keywords& given) {
   if (const auto height = given.optional_number("default_height", 0.1, 2000)) {
     read.height.default_height = *height;
   }
+  read.types = given.texts("types");
+  if (given.word("label_by", {"type", "object"}) == "object") {
+    read.label_by = geom::gis::LabelBy::object;
+  }
   read.where = given.text("where");
   read.height_step = given.number("height_step", 0, 100);
   read.height_unit = given.unit("height_units");

@@ -106,7 +106,7 @@ geom::MakeMapOptions Keywords::map() const {
   map.seal = optional_number("seal", 0, 1e6);
   map.floor = optional_number("floor", -kFurthest, kFurthest);
   map.ceiling = optional_number("ceiling", -kFurthest, kFurthest);
-  map.pad = number("pad", 0, 1e6);
+  map.pad = optional_number("pad", 0, 1e6);
   map.scale = number("scale", 1e-9, 1e9);
   map.bloat_percent = number("bloat_percent", 0, 1000);
   map.inflate = number("inflate", 0, 1e4);
@@ -117,7 +117,7 @@ geom::MakeMapOptions Keywords::map() const {
     throw cli::UsageError("bounds: expected the lower and the upper corner, found " +
                           shown(value("bounds")));
   }
-  if (map.floor || map.ceiling || map.pad > 0) {
+  if (map.floor || map.ceiling || map.pad) {
     throw cli::UsageError("bounds: stand in place of floor, ceiling and pad, so give one of both");
   }
   const geom::Aabb box{geom::Vec3(corners[0].data()), geom::Vec3(corners[1].data())};

@@ -45,6 +45,14 @@ struct Given {
     return {v[0], v[1]};
   }
 
+  geom::Vec3 point() const {
+    const auto v = value.cast<std::array<double, 3>>();
+    for (const double x : v) {
+      if (!(std::abs(x) <= geom::kLargestCoordinate)) refuse("x, y and z in metres");
+    }
+    return {v[0], v[1], v[2]};
+  }
+
   geom::GeodeticOrigin origin() const {
     const auto v = value.cast<std::array<double, 3>>();
     if (!(std::abs(v[0]) <= 90 && std::abs(v[1]) <= 180 && std::isfinite(v[2]))) {
@@ -60,10 +68,16 @@ struct Given {
   }
 
   traj::DjiAircraft aircraft() const {
-    for (const auto& [name, aircraft] : traj::kDjiAircraft) {
-      if (text() == name) return aircraft;
+    for (const traj::NamedDjiAircraft& known : traj::kDjiAircraft) {
+      if (text() == known.name) return known.aircraft;
     }
     refuse("an aircraft such as m3e");
+  }
+
+  traj::DjiLostLink lost_link() const {
+    const auto known = geom::value_of(traj::kDjiLostLinkWords, text());
+    if (!known) refuse(geom::listed(traj::kDjiLostLinkWords));
+    return *known;
   }
 
   std::string wpml_version() const {
@@ -103,6 +117,12 @@ bool set(FileOption option, const Given& given, ExportOptions& out) {
       return out.dji.aircraft = given.aircraft(), true;
     case FileOption::wpml_version:
       return out.dji.version = given.wpml_version(), true;
+    case FileOption::lost_link:
+      return out.dji.lost_link = given.lost_link(), true;
+    case FileOption::gimbal:
+      return out.dji.gimbal = given.number(traj::kDjiGimbalDown, traj::kDjiGimbalUp), true;
+    case FileOption::start:
+      return out.dji.takeoff = given.point(), true;
     case FileOption::turns:
       return out.turns = given.number(traj::kDjiLeastTurn, 1000), true;
     case FileOption::autopilot:

@@ -46,7 +46,7 @@ void parse_size(const std::string& word, FilmOptions& film) {
   const auto fits = [](double v) { return v == std::floor(v) && v >= 1 && v <= kMostPixels; };
   if (!numbers || !fits((*numbers)[0]) || !fits((*numbers)[1])) {
     throw cli::UsageError(fmt::format(
-        "--size: expected WIDTHxHEIGHT, each from 1 to {}, found \"{}\"", kMostPixels, word));
+        "--image-size: expected WIDTHxHEIGHT, each from 1 to {}, found \"{}\"", kMostPixels, word));
   }
   film.width = static_cast<int>((*numbers)[0]);
   film.height = static_cast<int>((*numbers)[1]);
@@ -76,7 +76,7 @@ void Options::add_to(CLI::App& app) {
       ->check(CLI::Range(1e-3, 1e5))
       ->capture_default_str();
   app.add_option("--at", at, "one picture, at this time (s)")->check(CLI::Range(-1e9, 1e9));
-  app.add_option("--size", size, "WIDTHxHEIGHT of a plan or an overview (default: 1280x960)");
+  app.add_option("--image-size", size, "WIDTHxHEIGHT of a plan or an overview (default: 1280x960)");
   add_angle(app, "--azimuth", film.overview.azimuth, -360, 360,
             "overview: look this way, degrees from north clockwise (default: 34)");
   add_angle(app, "--elevation", film.overview.elevation, 1, 89,
@@ -140,7 +140,7 @@ void Options::settle() {
   }
   if (!size.empty()) {
     if (has_eye())
-      throw cli::UsageError("--size is for plans and overviews: the camera has its own");
+      throw cli::UsageError("--image-size is for plans and overviews: the camera has its own");
     parse_size(size, film);
   }
   if (!depth.empty() && !depth.ends_with(".png") && !depth.ends_with(".pfm")) {

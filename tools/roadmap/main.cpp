@@ -59,7 +59,7 @@ void check_size(const cli::Common& common, const std::string& map_file,
       boxes, spec.reach, {area.min.cwiseMax(bounds.min), area.max.cwiseMin(bounds.max)});
   if (estimate.seconds > kLong && !named) {
     throw cli::UsageError(
-        fmt::format("a roadmap of {} boxes would have {}: give --within (500 m is the "
+        fmt::format("a roadmap of {} boxes would have {}: give --reach (500 m is the "
                     "default), or a smaller --region",
                     boxes, plan::in_words(estimate)));
   }
@@ -83,7 +83,7 @@ int main(int argc, char** argv) {
   app.add_option("map", map_file, "box map; - for stdin")->required();
   cli::add_output(app, "-o,--output", output, "roadmap to write (default: stdout)");
   auto* reach =
-      app.add_option("--reach,--within", spec.reach,
+      app.add_option("--reach", spec.reach,
                      "longest edge, metres (default 500; to be named where building would take "
                      "over 5 minutes of a core)")
           ->check(CLI::Range(1.0, 1e5));

@@ -78,7 +78,7 @@ int main(int argc, char** argv) {
   poses_option->needs(frames_option);
   vehicle.add_to(app);
   vehicle.add_memory_to(app);
-  cli::add_point(app, "--start", drone_files.reading.start,
+  cli::add_point(app, "--takeoff-place", drone_files.reading.start,
                  "where a Tello stands before it takes off, along the map's axes");
   cli::add_placement(app, drone_files.reading.placement);
   drone_files.add_mission_to(app);

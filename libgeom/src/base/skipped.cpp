@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 namespace geom {
 namespace {
 
-constexpr std::size_t kNamed = 3;       // of each kind
-constexpr std::size_t kManyKinds = 12;  // of more kinds one each, so that none falls off a message
+constexpr std::size_t kNamed = 3;  // of each kind
+constexpr std::size_t kMany = 12;  // of more kinds the most frequent alone,
+constexpr std::size_t kShown = 8;  // so many, with one name each
 
 }  // namespace
 
@@ -44,14 +46,30 @@ std::size_t Skipped::count() const {
   return count;
 }
 
+std::map<std::string, std::size_t> Skipped::by_kind() const {
+  std::map<std::string, std::size_t> out;
+  for (const auto& [name, kind] : kinds_) out[name] = kind.count;
+  return out;
+}
+
 std::string Skipped::text() const {
+  std::vector<std::pair<std::string, Kind>> kinds(kinds_.begin(), kinds_.end());
+  const bool many = kinds.size() > kMany;
+  if (many) {
+    std::stable_sort(kinds.begin(), kinds.end(),
+                     [](const auto& a, const auto& b) { return a.second.count > b.second.count; });
+    kinds.resize(kShown);
+  }
+  std::size_t left = count();
   std::string out;
-  for (const auto& [name, kind] : kinds_) {
-    const std::size_t named = std::min(kind.first.size(), kinds_.size() > kManyKinds ? 1 : kNamed);
+  for (const auto& [name, kind] : kinds) {
+    const std::size_t named = std::min(kind.first.size(), many ? 1 : kNamed);
     const std::span<const std::string> first(kind.first.data(), named);
     out += fmt::format("{}{} x {} ({}{})", out.empty() ? "" : ", ", kind.count, name,
                        fmt::join(first, ", "), kind.count > named ? ", …" : "");
+    left -= kind.count;
   }
+  if (many) out += fmt::format(" and {} of {} more kinds", left, kinds_.size() - kShown);
   return out;
 }
 

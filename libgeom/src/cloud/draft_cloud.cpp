@@ -208,7 +208,7 @@ CloudDraftOptions settled(CloudDraftOptions options, const CloudFile& file) {
     throw UsageError(
         "--resolution leaves points out, so it does not go with what looks at all of them: "
         "--outliers, --voxel, --mode objects, --unknown blocked, --scale, --bloat-percent, and "
-        "--ground drop unless by class");
+        "--ground-points drop unless by class");
   }
   if (file.first.head().empty()) throw InputError(file.name, {.says = "the file is empty"});
   if (!options.format) options.format = row_recognised(file.first.head(), cloud_formats());

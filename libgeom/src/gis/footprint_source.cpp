@@ -11,7 +11,7 @@
 namespace geom::gis {
 namespace {
 
-constexpr std::size_t kNamed = 8;  // attributes in a message
+constexpr std::size_t kNamed = 4;  // attributes in a message
 
 const char* key_of(HeightFrom from) {
   switch (from) {
@@ -85,6 +85,27 @@ void require_attribute(const Source& source, const ReadOptions& options, const s
                     .advice = "correct the name, or leave the option out"});
 }
 
+std::uint32_t label_of(const std::string& type, const std::string& object,
+                       const ReadOptions& options, Source& source) {
+  std::string label = type;
+  if (options.label_by == LabelBy::object) label += ": " + object;
+  const auto next = static_cast<std::uint32_t>(source.labels.size() + 1);
+  return source.labels.try_emplace(std::move(label), next).first->second;
+}
+
+void require_types(const std::map<std::string, std::size_t>& types, const ReadOptions& options,
+                   const std::string& name) {
+  for (const std::string& type : options.types) {
+    if (types.contains(type)) continue;
+    std::string known;
+    for (const auto& [one, count] : types) {
+      known += fmt::format("{}{} ({})", known.empty() ? "" : ", ", one.substr(0, 60), count);
+    }
+    throw InputError(name, {.expected = "types of the file in --types: " + known,
+                            .found = fmt::format("\"{}\"", type.substr(0, 60))});
+  }
+}
+
 void note_attribute(const std::string& name, const std::string& value, Source& source) {
   const auto number = parse_number(trimmed(value));
   if (!number || !std::isfinite(*number)) return;
@@ -95,23 +116,22 @@ void note_attribute(const std::string& name, const std::string& value, Source& s
   known.high = std::max(known.high, *number);
 }
 
-void require_heights(const Source& source, const std::string& name) {
+std::string heights_fault(const Source& source) {
   const std::size_t without = count_of(source, "heights_by_default");
   std::size_t all = without;
   for (const char* key : {"heights_given", "heights_from_levels", "heights_from_corners"}) {
     all += count_of(source, key);
   }
-  if (without * 10 <= all) return;
+  if (without * 10 <= all) return "";
   const std::string numeric = numeric_attributes(source);
-  throw InputError(
-      name,
-      {.expected = "heights of at least nine buildings in ten",
-       .found = fmt::format(
-           "none for {} of {}; {}; say how high those without are with --default-height METRES",
-           without, all,
-           numeric.empty() ? "they have no attribute of numbers"
-                           : "attributes of numbers that they have: " + numeric +
-                                 ": where one is the height, name it with --height-attribute")});
+  return fmt::format(
+      "expected heights of at least nine buildings in ten, found none for {} of {}: say how high "
+      "those are with --default-height METRES{}",
+      without, all,
+      numeric.empty() ? "; they have no attribute of numbers"
+                      : ", or name the attribute that is the height with --height-attribute; "
+                        "numbers that they have: " +
+                            numeric);
 }
 
 }  // namespace geom::gis

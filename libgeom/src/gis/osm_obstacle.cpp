@@ -154,9 +154,14 @@ bool OsmTags::has(std::string_view key, std::string_view value) const {
   return std::find(all.begin(), all.end(), value) != all.end();
 }
 
-bool is_built(const OsmTags& tags) {
-  return first_high(tags, "building") || first_high(tags, "building:part") ||
-         first_of(tags, kBuilt);
+bool is_built(const OsmTags& tags) { return !type_of_built(tags).empty(); }
+
+std::string type_of_built(const OsmTags& tags) {
+  for (const char* key : {"building", "building:part"}) {
+    if (first_high(tags, key)) return key;
+  }
+  const auto other = first_of(tags, kBuilt);
+  return other ? other->substr(other->find('=') + 1) : "";
 }
 
 bool is_high_line(const OsmTags& tags) {

@@ -33,6 +33,10 @@ class OsmTags {
 // tower, mast, chimney, silo or the like.
 bool is_built(const OsmTags& tags);
 
+// What that is, in a word: "building", "building:part", or the value of `man_made`, as "tower".
+// Empty where it is not built.
+std::string type_of_built(const OsmTags& tags);
+
 // Whether it is high, and drawn as a point or a line whose width nothing tells.
 bool is_high_line(const OsmTags& tags);
 

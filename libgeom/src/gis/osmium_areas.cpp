@@ -52,8 +52,9 @@ class BuildingHandler : public osmium::handler::Handler {
     if (node.tags().empty()) return;
     const OsmTags tags = tags_of(node);
     const bool entrance = tags.text("building") == "entrance";
+    if (is_built(tags) && !entrance && !is_chosen(tags)) return;
     if ((is_built(tags) && !entrance) || is_high_line(tags)) {
-      out_.skipped.add("building or mast that is a point", fmt::format("node {}", node.id()));
+      skip("building or mast that is a point", fmt::format("node {}", node.id()), is_built(tags));
     } else {
       skip_other(tags, "node", node.id());
     }
@@ -65,12 +66,13 @@ class BuildingHandler : public osmium::handler::Handler {
     const OsmTags tags = tags_of(way);
     if (!is_built(tags)) {
       if (is_high_line(tags)) {
-        out_.skipped.add("line in the air", which);
+        skip("line in the air", which, false);
       } else {
         skip_other(tags, "way", way.id());
       }
       return;
     }
+    if (!is_chosen(tags)) return;
     Footprint f;
     for (const osmium::NodeRef& node : way.nodes()) {
       if (node.location().valid()) f.polygon.outer.push_back(point_of(node.location()));
@@ -91,6 +93,8 @@ class BuildingHandler : public osmium::handler::Handler {
     const OsmTags tags = tags_of(relation);
     if (!is_built(tags)) {
       skip_other(tags, "relation", relation.id());
+    } else if (!is_chosen(tags)) {
+      assembled_.insert(relation.id());  // done with
     } else if (!is_area(tags)) {
       out_.skipped.add("building that is a relation without an area",
                        fmt::format("relation {}", relation.id()));
@@ -98,7 +102,7 @@ class BuildingHandler : public osmium::handler::Handler {
   }
 
   void area(const osmium::Area& area) {
-    if (area.from_way() || !is_built(tags_of(area))) return;
+    if (area.from_way() || !is_built(tags_of(area)) || !is_named(tags_of(area))) return;
     std::vector<Footprint> parts;
     for (const osmium::OuterRing& outer : area.outer_rings()) {
       Footprint& f = parts.emplace_back();
@@ -110,39 +114,73 @@ class BuildingHandler : public osmium::handler::Handler {
     if (parts.empty()) return;
     assembled_.insert(area.orig_id());
     const BuildingHeight height = count(area);
-    for (Footprint& f : parts) push(area.id(), height, std::move(f));
+    for (Footprint& f : parts) push(area, area.id(), height, std::move(f));
   }
 
   void add(const osmium::OSMObject& object, osmium::item_type type, Footprint f) {
-    push(osmium::object_id_to_area_id(object.id(), type), count(object), std::move(f));
+    push(object, osmium::object_id_to_area_id(object.id(), type), count(object), std::move(f));
   }
 
   bool is_assembled(osmium::object_id_type relation) const { return assembled_.contains(relation); }
 
+  // How many objects of each type there are, built or not.
+  const std::map<std::string, std::size_t>& types() const { return types_; }
+
  private:
+  bool is_named(const OsmTags& tags) const {
+    const std::vector<std::string>& types = options_.types;
+    return types.empty() ||
+           std::find(types.begin(), types.end(), type_of_built(tags)) != types.end();
+  }
+
+  // Whether it is to be built, by its type; counts what is not. Asked once of each object.
+  bool is_chosen(const OsmTags& tags) {
+    const std::string type = type_of_built(tags);
+    ++types_[type];
+    if (is_named(tags)) return true;
+    ++out_.left_out[type];
+    return false;
+  }
+
+  // What cannot be built. Where types are named, all of other types is left out.
+  void skip(const std::string& kind, const std::string& which, bool of_type) {
+    if (options_.types.empty() || of_type) {
+      out_.skipped.add(kind, which);
+    } else {
+      ++out_.left_out[kind];
+    }
+  }
+
   void skip_other(const OsmTags& tags, const char* type, osmium::object_id_type id) {
     const auto kind = other_obstacle(tags);
-    if (kind) out_.skipped.add(*kind, fmt::format("{} {}", type, id));
+    if (kind) skip(*kind, fmt::format("{} {}", type, id), false);
   }
 
   BuildingHeight count(const osmium::OSMObject& object) {
     ++out_.counts["buildings"];
     const OsmTags tags = tags_of(object);
     const auto tag = [&](const char* key) -> std::string { return tags.text(key); };
-    const char* what = object.type() == osmium::item_type::way ? "way" : "relation";
-    const auto id = object.type() == osmium::item_type::area
-                        ? static_cast<const osmium::Area&>(object).orig_id()
-                        : object.id();
     const BuildingHeight height = building_height(tag, options_.height);
-    count_height(height, fmt::format("{} {}", what, id), out_);
+    count_height(height, name_of(object), out_);
     if (height.from == HeightFrom::nothing) {
       for (const osmium::Tag& t : object.tags()) note_attribute(t.key(), t.value(), out_);
     }
     return height;
   }
 
-  void push(osmium::object_id_type id, const BuildingHeight& height, Footprint f) {
+  // "way 123", as in the file.
+  static std::string name_of(const osmium::OSMObject& object) {
+    const char* what = object.type() == osmium::item_type::way ? "way" : "relation";
+    const auto id = object.type() == osmium::item_type::area
+                        ? static_cast<const osmium::Area&>(object).orig_id()
+                        : object.id();
+    return fmt::format("{} {}", what, id);
+  }
+
+  void push(const osmium::OSMObject& object, osmium::object_id_type id,
+            const BuildingHeight& height, Footprint f) {
     f.id = static_cast<std::uint64_t>(id);
+    f.label = label_of(type_of_built(tags_of(object)), name_of(object), options_, out_);
     f.bottom = height.bottom;
     f.top = height.top;
     out_.footprints.push_back(std::move(f));
@@ -157,6 +195,7 @@ class BuildingHandler : public osmium::handler::Handler {
   const ReadOptions& options_;
   Source& out_;
   std::set<osmium::object_id_type> assembled_;
+  std::map<std::string, std::size_t> types_;
 };
 
 // The convex hull, by Andrew's monotone chain; exact, as locations are whole numbers.
@@ -313,7 +352,8 @@ struct Sorted {
 };
 
 template <class Each>
-Source read_buildings(const osmium::io::File& file, const ReadOptions& options, const Each& each) {
+Source read_buildings(const osmium::io::File& file, const std::string& name,
+                      const ReadOptions& options, const Each& each) {
   Source out;
   out.crs = "EPSG:4326";
   osmium::area::MultipolygonManager<osmium::area::Assembler> manager(
@@ -327,6 +367,7 @@ Source read_buildings(const osmium::io::File& file, const ReadOptions& options, 
   each(locations, buildings,
        manager.handler([&](osmium::memory::Buffer&& buffer) { osmium::apply(buffer, buildings); }));
   add_hulls(file, locations, buildings, out);
+  require_types(buildings.types(), options, name);
   return out;
 }
 
@@ -337,9 +378,9 @@ Source read_osm(const std::string& path, const std::string& name, const ReadOpti
     require_plain_osm(path, name);
     const osmium::io::File file(path);
     try {
-      return read_buildings(file, options, InOrder{file});
+      return read_buildings(file, name, options, InOrder{file});
     } catch (const osmium::out_of_order_error&) {
-      return read_buildings(file, options, Sorted{file});
+      return read_buildings(file, name, options, Sorted{file});
     }
   } catch (const InputError&) {
     throw;

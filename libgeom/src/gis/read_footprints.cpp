@@ -9,6 +9,7 @@
 #include "geom/gis/axis_order.h"
 #include "import/city_footprints.h"
 #include "import/city_json.h"
+#include "import/city_types.h"
 
 namespace geom::gis {
 namespace {
@@ -31,7 +32,15 @@ Source source_of(CityModel model, bool city_json, const std::string& name,
   if (!unit) refuse_heights(name, source.crs);
   HeightOptions heights = options.height;
   heights.unit = options.height_unit.value_or(1);
+  require_types(types_of(model), options, name);
+  LeftOutTypes left_out = leave_out(model, options.types, *unit);
   CityFootprints city = footprints_of(model, *unit, heights);
+  for (Footprint& f : city.footprints) {
+    const CityObject& object = model.objects.at(f.id);
+    f.label = label_of(object.type, object.name, options, source);
+  }
+  if (options.types.empty() && !left_out.count.empty()) source.left_out_rise = left_out.rise;
+  source.left_out = std::move(left_out.count);
   source.footprints = std::move(city.footprints);
   source.skipped = std::move(city.skipped);
   source.counts["objects"] = city.objects;
@@ -117,9 +126,9 @@ Source read(const FootprintFormat& format, const InputPath& in, const ReadOption
   Source source = reader_of(format).read(in, options);
   if (&format != &kRaster) require_attribute(source, options, in.name);
   if (source.footprints.empty()) {
-    throw InputError(in.name, {.expected = "at least one footprint",
-                               .found = "none",
-                               .advice = source.skipped.text()});
+    throw InputError(
+        in.name,
+        {.expected = "at least one footprint", .found = "none", .advice = source.skipped.text()});
   }
   return source;
 }

@@ -107,7 +107,9 @@ class Builder {
 
   CityFootprints build() {
     for (const CityObject& object : model_.objects) note_part(object);
-    for (std::size_t i = 0; i < model_.objects.size(); ++i) look_at(model_.objects[i], i);
+    for (std::size_t i = 0; i < model_.objects.size(); ++i) {
+      if (!model_.objects[i].left_out) look_at(model_.objects[i], i);
+    }
     for (const CityObject& object : model_.objects) reach_ground(object);
     for (const Shape& shape : shapes_) {
       if (wholes_.at(shape.object->whole).grounded) {
@@ -153,7 +155,7 @@ class Builder {
 
   // What the parts of a whole have that is not flat.
   void note_part(const CityObject& object) {
-    if (!object.is_part) return;
+    if (!object.is_part || object.left_out) return;
     Extent extent;
     for (const CitySurface* surface : chosen(object).surfaces) extent.add(*surface);
     if (!extent.box || (extent.box->max.z() - extent.box->min.z()) * unit_ <= kLevelTo) return;

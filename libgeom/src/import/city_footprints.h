@@ -34,6 +34,8 @@ struct CityFootprints {
 // from them, and lies on the ground: where they reach over a quarter less of it, or together over a
 // tenth less, it needs a height of its own.
 //
+// Objects that are left out (city_types.h) give nothing and are not skipped.
+//
 // Skipped are: an object without surfaces, unless it has parts, lies on the ground or is a group;
 // one that stands up, is drawn flat in level of detail 0 and has no height; and a building of roofs
 // alone without a measured height, since nothing says where its ground is.

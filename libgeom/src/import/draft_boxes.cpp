@@ -96,7 +96,7 @@ MapDraft draft_boxes(HashedStream& file, const std::string& source, const BoxDra
   SdfModelFiles models(options.model_path, options.open);
   ImportedBoxes boxes = imported(file, source, format, options, models);
   tell(boxes, options.unknown_blocked, source, notes);
-  if (boxes.bounds && options.map.pad > 0) {
+  if (boxes.bounds && options.map.pad) {
     throw UsageError(
         "--pad is only for files without bounds of their own (--floor, --ceiling and --bounds "
         "change them): it would change nothing here, so leave it out");

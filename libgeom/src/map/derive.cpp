@@ -8,6 +8,7 @@
 #include "geom/map/join.h"
 #include "geom/map/map_draft.h"
 #include "geom/text/parse_json.h"
+#include "require_bounds.h"
 
 namespace geom {
 namespace {
@@ -67,6 +68,27 @@ BoxMap crop(const BoxMap& map, const Aabb& region, const std::string& source) {
   Json step = derived_step("crop", map);
   step["bounds"] = numbers(region);
   return derived(std::move(spec), table_of(map, &region), step);
+}
+
+MadeMap with_bounds(const BoxMap& map, const BoundsChange& change, const std::string& source) {
+  BoxMapSpec spec = map.spec();
+  const BoxTable table = table_of(map);
+  Json step = derived_step("bounds", map);
+  if (change.pad) {
+    Aabb around = *bounds(table.boxes);
+    around.min -= Vec3(*change.pad, *change.pad, 0);
+    around.max += Vec3::Constant(*change.pad);
+    spec.bounds = merged(spec.bounds, around);
+    step["pad"] = *change.pad;
+  }
+  if (change.floor) step["floor"] = spec.bounds.min.z() = *change.floor;
+  if (change.ceiling) step["ceiling"] = spec.bounds.max.z() = *change.ceiling;
+  if (change.bounds) step["bounds"] = numbers(spec.bounds = *change.bounds);
+  require_bounds(spec.bounds, source);
+  spec.bounds_from = "option";
+  std::size_t beyond = 0;
+  for (const Aabb& box : table.boxes) beyond += !overlap(box, spec.bounds);
+  return {derived(std::move(spec), table, step), 0, beyond};
 }
 
 BoxMap join(std::span<const SourceMap> maps) {

@@ -221,6 +221,7 @@ class FeatureCover {
 struct Block {
   std::vector<Aabb> boxes;
   std::vector<std::uint64_t> ids;
+  std::vector<std::uint32_t> label;
 
   void add(std::span<const Footprint> feature, double slack) {
     const Footprint& first = feature.front();
@@ -229,6 +230,7 @@ struct Block {
         flat ? flat_boxes(first, slack, 0) : FeatureCover(feature, slack).boxes();
     boxes.insert(boxes.end(), made.begin(), made.end());
     ids.resize(boxes.size(), first.id);
+    label.resize(boxes.size(), first.label);
   }
 };
 
@@ -253,12 +255,13 @@ BoxTable boxes_of(const std::vector<Footprint>& footprints, double slack, const 
   BoxTable table;
   table.boxes.reserve(count);
   table.ids.reserve(count);
+  table.label.reserve(count);
   for (Block& block : made) {
     table.boxes.insert(table.boxes.end(), block.boxes.begin(), block.boxes.end());
     table.ids.insert(table.ids.end(), block.ids.begin(), block.ids.end());
+    table.label.insert(table.label.end(), block.label.begin(), block.label.end());
     block = {};
   }
-  table.label.resize(count, 0);
   return table;
 }
 

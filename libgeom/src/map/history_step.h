@@ -17,6 +17,9 @@ using HistoryStep = nlohmann::ordered_json;
 // What the step says of the options of make_map().
 void add_options(HistoryStep& step, const MakeMapOptions& options);
 
+// Why a source is refused whose skipped obstacles nobody allowed. `skipped` is not empty.
+std::string skipped_fault(const Skipped& skipped);
+
 // Throws InputError(source, …) if an obstacle was skipped and that is not allowed, because a
 // vehicle could fly through it. Else warns of it and counts it in the step.
 void settle_skipped(const Skipped& skipped, bool allowed, const std::string& source,

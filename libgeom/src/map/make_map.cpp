@@ -7,6 +7,7 @@
 
 #include "geom/base/error.h"
 #include "geom/base/rounding.h"
+#include "require_bounds.h"
 
 namespace geom {
 namespace {
@@ -84,26 +85,14 @@ MadeMap make_map(BoxTable table, Frame frame, std::string history, std::string_v
     spec.bounds = options.bounds ? *options.bounds : scaled(*options.source_bounds, options.scale);
   } else {
     spec.bounds = *bounds(table.boxes);
-    const Vec3 low(options.pad, options.pad, 0);
-    spec.bounds.min -= low;
-    spec.bounds.max += Vec3::Constant(options.pad);
+    const double pad = options.pad.value_or(0);
+    spec.bounds.min -= Vec3(pad, pad, 0);
+    spec.bounds.max += Vec3(pad, pad, options.headroom.value_or(pad));
   }
   if (!options.bounds && options.floor) spec.bounds.min.z() = *options.floor;
   if (!options.bounds && options.ceiling) spec.bounds.max.z() = *options.ceiling;
   spec.bounds_from = options.bounds ? "option" : options.source_bounds ? "source" : "obstacles";
-  // By its negation, which refuses NaN as well.
-  if (!(spec.bounds.min.array() < spec.bounds.max.array()).all() ||
-      !(spec.bounds.min.cwiseAbs().maxCoeff() <= 2 * kLargestCoordinate) ||
-      !(spec.bounds.max.cwiseAbs().maxCoeff() <= 2 * kLargestCoordinate)) {
-    const bool flat = spec.bounds.min.z() == spec.bounds.max.z();
-    throw InputError(
-        source, {.key = "the bounds",
-                 .expected = "finite and have min < max on every axis",
-                 .found = fmt::format("[{}, {}, {}] to [{}, {}, {}]", spec.bounds.min[0],
-                                      spec.bounds.min[1], spec.bounds.min[2], spec.bounds.max[0],
-                                      spec.bounds.max[1], spec.bounds.max[2]),
-                 .advice = flat ? "all is flat, so give --ceiling, up to where flights go" : ""});
-  }
+  require_bounds(spec.bounds, source);
   const std::size_t sealed = seal_to_floor(table, spec.bounds.min.z(), options.seal.value_or(0));
   std::size_t beyond = 0;
   for (const Aabb& box : table.boxes) beyond += !overlap(box, spec.bounds);

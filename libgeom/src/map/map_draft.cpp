@@ -11,7 +11,8 @@ namespace geom {
 
 void add_options(HistoryStep& step, const MakeMapOptions& options) {
   step["seal"] = options.seal.value_or(0);
-  step["pad"] = options.pad;
+  step["pad"] = options.pad.value_or(0);
+  if (options.headroom) step["headroom"] = *options.headroom;
   if (options.scale != 1) step["scale"] = options.scale;
   if (options.bloat_percent > 0) step["bloat_percent"] = options.bloat_percent;
   if (options.inflate > 0) step["inflate"] = options.inflate;
@@ -19,15 +20,17 @@ void add_options(HistoryStep& step, const MakeMapOptions& options) {
   if (options.ceiling) step["ceiling"] = *options.ceiling;
 }
 
+std::string skipped_fault(const Skipped& skipped) {
+  return fmt::format(
+      "{} cannot be built: {}; correct the file, or leave out what cannot be built with "
+      "--allow-skipped",
+      counted(skipped.count(), "possible obstacle"), skipped.text());
+}
+
 void settle_skipped(const Skipped& skipped, bool allowed, const std::string& source,
                     const Notes& notes, HistoryStep& step) {
   if (skipped.empty()) return;
-  if (!allowed) {
-    throw InputError(source, {.says = fmt::format(
-                                  "{} cannot be built: {}; correct the file, or leave out what "
-                                  "cannot be built with --allow-skipped",
-                                  counted(skipped.count(), "possible obstacle"), skipped.text())});
-  }
+  if (!allowed) throw InputError(source, {.says = skipped_fault(skipped)});
   notes.warning(fmt::format(
       "{}: {} left out: {}", source,
       counted(skipped.count(), "possible obstacle is", "possible obstacles are"), skipped.text()));

@@ -18,20 +18,18 @@ Json to_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 Json to_json(const MapDraft& draft) {
   const MakeMapOptions& map = draft.options;
-  Json out = {{"axes", name(draft.frame.axes)},
-              {"crs", draft.frame.crs},
-              {"history", draft.history},
-              {"scale", map.scale},
-              {"bloat_percent", map.bloat_percent},
-              {"inflate", map.inflate},
-              {"pad", map.pad},
-              {"seal", map.seal.value_or(0)},
+  Json out = {{"axes", name(draft.frame.axes)},     {"crs", draft.frame.crs},
+              {"history", draft.history},           {"scale", map.scale},
+              {"bloat_percent", map.bloat_percent}, {"inflate", map.inflate},
+              {"pad", map.pad.value_or(0)},         {"seal", map.seal.value_or(0)},
               {"tile_size", map.tile_size}};
   if (const auto& at = draft.frame.origin) {
     out["origin"] = {at->latitude, at->longitude, at->height};
   }
+  if (draft.table.labels.size() > 1) out["labels"] = draft.table.labels;
   if (map.bounds) out["bounds"] = {to_json(map.bounds->min), to_json(map.bounds->max)};
   if (map.floor) out["floor"] = *map.floor;
+  if (map.headroom) out["headroom"] = *map.headroom;
   if (map.ceiling) out["ceiling"] = *map.ceiling;
   return out;
 }
@@ -61,11 +59,13 @@ MapDraft read_draft(const JsonFields& fields) {
   map.tile_size = number_of(fields, "tile_size");
   map.floor = fields.number("floor");
   map.ceiling = fields.number("ceiling");
-  const bool sizes = map.scale > 0 && map.bloat_percent >= 0 && map.inflate >= 0 && map.pad >= 0 &&
-                     *map.seal >= 0 && map.tile_size >= 1;
+  map.headroom = fields.number("headroom");
+  const bool sizes = map.scale > 0 && map.bloat_percent >= 0 && map.inflate >= 0 && *map.pad >= 0 &&
+                     *map.seal >= 0 && map.headroom.value_or(0) >= 0 && map.tile_size >= 1;
   if (!sizes) {
     fields.refuse(
-        {.expected = "scale > 0, tile_size >= 1, and bloat_percent, inflate, pad and seal >= 0",
+        {.expected =
+             "scale > 0, tile_size >= 1, and bloat_percent, inflate, pad, headroom and seal >= 0",
          .found = "others",
          .advice = "the file is damaged"});
   }
@@ -80,15 +80,32 @@ MapDraft read_draft(const JsonFields& fields) {
   return out;
 }
 
-BoxTable read_boxes(const ShardFile& shard) {
+// Those of all shards, "" first.
+std::vector<std::string> read_labels(const JsonFields& fields) {
+  if (!fields.has("labels")) return {""};
+  std::vector<std::string> labels;
+  for (const Json& one : fields.value("labels")) {
+    if (!one.is_string()) fields.refuse({.key = "labels", .expected = "a list of words"});
+    labels.push_back(one.get<std::string>());
+  }
+  if (labels.empty() || !labels.front().empty()) {
+    fields.refuse({.key = "labels", .expected = "an empty word first"});
+  }
+  return labels;
+}
+
+BoxTable read_boxes(const ShardFile& shard, const std::vector<std::string>& labels) {
   const ArrayArchive& archive = shard.archive;
   const auto corners = archive.array<double>("boxes", 6);
   const auto ids = archive.array<std::uint64_t>("ids");
+  const auto label = archive.array<std::uint32_t>("label");
   BoxTable table;
+  table.labels = labels;
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    if (corners.size() != 6 * ids.size()) {
-      throw InputError(archive.name(),
-                       {.expected = "as many ids as boxes", .advice = "the file is damaged"});
+    if (corners.size() != 6 * ids.size() || label.size() != ids.size() ||
+        label[i] >= labels.size()) {
+      throw InputError(archive.name(), {.expected = "an id and a label for each box",
+                                        .advice = "the file is damaged"});
     }
     const double* const c = &corners[6 * i];
     const Aabb box{{c[0], c[1], c[2]}, {c[3], c[4], c[5]}};
@@ -103,7 +120,7 @@ BoxTable read_boxes(const ShardFile& shard) {
     table.boxes.push_back(box);
   }
   table.ids.assign(ids.begin(), ids.end());
-  table.label.resize(ids.size(), 0);
+  table.label.assign(label.begin(), label.end());
   return table;
 }
 
@@ -144,7 +161,8 @@ PartArrays arrays_of(const MapDraft& draft) {
   }
   return {to_json(draft).dump(),
           {named_array<double>("boxes", *corners, 6),
-           named_array<std::uint64_t>("ids", draft.table.ids)},
+           named_array<std::uint64_t>("ids", draft.table.ids),
+           named_array<std::uint32_t>("label", draft.table.label)},
           corners};
 }
 
@@ -176,7 +194,8 @@ MadeMap join_map(std::span<const ShardFile> shards) {
   }
   BoxTable& table = draft.table;
   if (shards.front().kind == "boxes") {
-    for (const ShardFile& shard : shards) append(table, read_boxes(shard));
+    const std::vector<std::string> labels = read_labels(fields);
+    for (const ShardFile& shard : shards) append(table, read_boxes(shard, labels));
   } else {
     ColumnGrid grid(read_spec(fields));
     for (const ShardFile& shard : shards) add_columns(shard, grid);

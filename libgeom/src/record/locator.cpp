@@ -3,19 +3,38 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "geom/base/error.h"
+#include "geom/text/parse_json.h"
 
 namespace geom {
 namespace {
 
 constexpr double kFar = 1e6;  // metres
 
+bool says(const nlohmann::json& step, const char* key, std::string_view word) {
+  const auto at = step.find(key);
+  return at != step.end() && at->is_string() && at->get_ref<const std::string&>() == word;
+}
+
+// Whether a history, or one in it, has a scan or a height model, where a place without a box is one
+// without data.
+bool has_scan(const nlohmann::json& history) {
+  if (history.is_object() &&
+      (says(history, "tool", "skyway-cloud") || says(history, "format", "raster"))) {
+    return true;
+  }
+  return history.is_structured() && std::any_of(history.begin(), history.end(), has_scan);
+}
+
 }  // namespace
 
 Locator::Locator(const BoxMap& map) : map_(map) {
   const Frame& frame = map.spec().frame;
   if (counts_from_origin(frame)) earth_.emplace(*frame.origin);
+  const std::string& history = map.spec().history;
+  scanned_ = !history.empty() && has_scan(parse_json(history, "the map's history"));
 }
 
 double Locator::zero() const {
@@ -23,9 +42,9 @@ double Locator::zero() const {
   return origin ? origin->height : 0;
 }
 
-// The top of what stands there, or the floor.
-double Locator::ground(const Vec3& p) const {
-  double top = map_.spec().bounds.min.z();
+// The top of what stands there, if anything does.
+std::optional<double> Locator::top(const Vec3& p) const {
+  std::optional<double> top;
   const auto under = [&](const Aabb& box) {
     return box.min.x() <= p.x() && p.x() <= box.max.x() && box.min.y() <= p.y() &&
            p.y() <= box.max.y();
@@ -34,7 +53,7 @@ double Locator::ground(const Vec3& p) const {
   for (std::size_t t = 0; t < tiles.size(); ++t) {
     if (!under(tiles[t].extent)) continue;
     for (const Aabb& box : map_.boxes_of(t)) {
-      if (under(box)) top = std::max(top, box.max.z());
+      if (under(box)) top = std::max(top.value_or(box.max.z()), box.max.z());
     }
   }
   return top;
@@ -60,7 +79,18 @@ Vec3 Locator::at(const Place& place, std::string_view source, std::size_t line) 
                              map_.spec().frame.origin->longitude)});
   }
   Vec3 p = to_enu(map_.spec().frame.axes, enu);
-  p.z() = there.height + (there.above ? ground(p) : 0);
+  p.z() = there.height;
+  if (!there.above) return p;
+  const auto under = top(p);
+  if (!under && scanned_) {
+    throw InputError(
+        source, line,
+        {.says = fmt::format("nothing was scanned under latitude {}, longitude {}, so no ground is "
+                             "known that a height could be above",
+                             there.latitude, there.longitude),
+         .advice = "give a height in the map's z"});
+  }
+  p.z() += under.value_or(map_.spec().bounds.min.z());
   return p;
 }
 

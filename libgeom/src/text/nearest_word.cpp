@@ -23,6 +23,16 @@ std::string letters(std::string_view word) {
   return out;
 }
 
+// Whether one of the parts between the hyphens of a word is just that.
+bool has_part(std::string_view word, std::string_view part) {
+  while (!word.empty()) {
+    const std::size_t end = std::min(word.find('-'), word.size());
+    if (letters(word.substr(0, end)) == part) return true;
+    word.remove_prefix(std::min(end + 1, word.size()));
+  }
+  return false;
+}
+
 }  // namespace
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -48,6 +58,9 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 std::optional<std::string> nearest_word(std::string_view word, std::span<const std::string> known) {
   const std::string meant = letters(word);
   if (meant.empty()) return std::nullopt;
+  for (const std::string& one : known) {
+    if (meant.size() > 1 && has_part(one, meant)) return one;
+  }
   const std::string* best = nullptr;
   std::size_t least = std::min(kMostEdits, meant.size() - 1) + 1;
   for (const std::string& one : known) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geom/map/wider_bounds.h"
 #include "traj/record/verdict.h"
 
 namespace traj {
@@ -21,6 +22,14 @@ namespace {
 bool is_timed(const geom::CollisionScene& scene, const CheckResult& result) {
   return result.reason == Reason::collision && result.box &&
          !scene.map().time(*result.box).always();
+}
+
+// Where it leaves the bounds: which face, and the map that would do.
+std::string or_wider(const geom::CollisionScene& scene, const CheckResult& result) {
+  if (result.reason != Reason::bounds) return "";
+  geom::WiderBounds wider(scene.map().spec().bounds);
+  wider.add(result.place, scene.half(), result.worst);
+  return fmt::format("; that is {}: {}", wider.in_words(), wider.advice());
 }
 
 // What to do about it.
@@ -41,9 +50,10 @@ std::string remedy(const geom::CollisionScene& scene, const MissionTask& task,
   }
   if (near && !result.strayed.empty()) {
     return fmt::format(
-        "make the path anew with {:g} m more margin (skyway-plan --margin), or fly slower "
-        "(--speed)",
-        std::ceil(100 * result.worst) / 100);
+               "make the path anew with {:g} m more margin (skyway-plan --margin), or fly slower "
+               "(--speed)",
+               std::ceil(100 * result.worst) / 100) +
+           or_wider(scene, result);
   }
   if (near) {
     const double spare = std::ceil(100 * result.worst) / 100;  // in whole centimetres
@@ -51,7 +61,8 @@ std::string remedy(const geom::CollisionScene& scene, const MissionTask& task,
            (spare <= scene.margin()
                 ? fmt::format(", or ask for {:g} m less than its margin (--spare {:g})", spare,
                               spare)
-                : "");
+                : "") +
+           or_wider(scene, result);
   }
   if (limit && task.format->has_legs) return "fly slower (--speed)";
   if (limit) return "solve it again with stricter limits (skyway-traj)";

@@ -1,5 +1,7 @@
 #include "traj/solve/solve.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +11,7 @@
 #include <vector>
 
 #include "curve/bernstein.h"
+#include "geom/map/wider_bounds.h"
 #include "solve/nominal.h"
 #include "solve/optimize.h"
 #include "solve/stop_and_go.h"
@@ -237,6 +240,17 @@ SolveResult solve_with_holds(const geom::CollisionScene& scene, std::vector<Wayp
   return whole;
 }
 
+// Why a path leaves the bounds, or nothing: no solver could bring it back.
+std::string leaves_bounds(const geom::CollisionScene& scene, std::span<const Waypoint> places) {
+  geom::WiderBounds wider(scene.map().spec().bounds);
+  for (const Waypoint& w : places) {
+    if (scene.inside_bounds(w.position) || !w.position.allFinite()) continue;
+    wider.add({w.position - scene.half(), w.position + scene.half()});
+  }
+  if (!wider.any()) return "";
+  return fmt::format("the path leaves the bounds: {}; {}", wider.in_words(), wider.advice());
+}
+
 }  // namespace
 
 SolveResult solve(const geom::CollisionScene& scene, std::span<const Waypoint> waypoints,
@@ -249,6 +263,8 @@ SolveResult solve(const geom::CollisionScene& scene, std::span<const Waypoint> w
   }
   const std::vector<double> no_time(waypoints.size() - 1, 0.0);
   const std::vector<Waypoint> places = without_repeats(waypoints, no_time).waypoints;
+  result.reason = leaves_bounds(scene, places);
+  if (!result.reason.empty()) return result;
   const auto holds = [](const Waypoint& w) { return w.hold > 0; };
   if (std::any_of(places.begin(), places.end(), holds)) {
     return solve_with_holds(scene, places, options);

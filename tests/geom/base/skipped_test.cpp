@@ -33,7 +33,12 @@ TEST(Skipped, NamesOneOfEachWhereThereAreManyKinds) {
     skipped.add(std::string(1, kind), "first");
     skipped.add(std::string(1, kind), "second");
   }
-  EXPECT_TRUE(skipped.text().starts_with("2 x a (first, …), 2 x b (first, …)")) << skipped.text();
+  skipped.add("m", "third");
+  EXPECT_TRUE(skipped.text().starts_with("3 x m (first, …), 2 x a (first, …)")) << skipped.text();
+  EXPECT_TRUE(skipped.text().ends_with("2 x g (first, …) and 10 of 5 more kinds"))
+      << skipped.text();
+  EXPECT_EQ(skipped.by_kind().at("m"), 3u);
+  EXPECT_EQ(skipped.by_kind().size(), 13u);
 }
 
 }  // namespace

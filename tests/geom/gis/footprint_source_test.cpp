@@ -14,44 +14,61 @@ Source with(std::size_t given, std::size_t by_default) {
   return source;
 }
 
-std::string refusal_of(const Source& source) {
-  try {
-    require_heights(source, "city");
-  } catch (const geom::InputError& error) {
-    return error.what();
-  }
-  return "";
+TEST(HeightsFault, LetsATenthGoByDefault) {
+  EXPECT_EQ(heights_fault(with(9, 1)), "");
+  EXPECT_EQ(heights_fault(with(9, 0)), "");
+  EXPECT_EQ(heights_fault({}), "");
+  EXPECT_NE(heights_fault(with(8, 1)), "");
+  EXPECT_NE(heights_fault(with(0, 1)), "");
 }
 
-TEST(RequireHeights, LetsATenthGoByDefault) {
-  EXPECT_EQ(refusal_of(with(9, 1)), "");
-  EXPECT_EQ(refusal_of(with(9, 0)), "");
-  EXPECT_EQ(refusal_of({}), "");
-  EXPECT_NE(refusal_of(with(8, 1)), "");
-  EXPECT_NE(refusal_of(with(0, 1)), "");
-}
-
-TEST(RequireHeights, CountsAllThatHaveAHeight) {
+TEST(HeightsFault, CountsAllThatHaveAHeight) {
   Source source = with(3, 1);
   source.counts["heights_from_levels"] = 3;
   source.counts["heights_from_corners"] = 3;
-  EXPECT_EQ(refusal_of(source), "");
+  EXPECT_EQ(heights_fault(source), "");
   source.counts["heights_from_corners"] = 2;
-  EXPECT_NE(refusal_of(source), "");
+  EXPECT_NE(heights_fault(source), "");
 }
 
-TEST(RequireHeights, NamesTheNumbersThatMostHave) {
+TEST(HeightsFault, NamesTheNumbersThatMostHave) {
   Source source = with(0, 2);
   note_attribute("use", "flats", source);
   note_attribute("floor area", " 90 ", source);
   note_attribute("h_max", "31.5", source);
   note_attribute("h_max", "12", source);
   note_attribute("h_max", "nan", source);
-  const std::string text = refusal_of(source);
+  const std::string text = heights_fault(source);
   EXPECT_NE(text.find("\"h_max\" (12 to 31.5, in 2), \"floor area\" (90 to 90, in 1)"),
             std::string::npos)
       << text;
   EXPECT_EQ(text.find("flats"), std::string::npos);
+}
+
+TEST(LabelOf, NumbersEachLabelOnce) {
+  Source source;
+  ReadOptions options;
+  EXPECT_EQ(label_of("Building", "A", options, source), 1u);
+  EXPECT_EQ(label_of("Road", "B", options, source), 2u);
+  EXPECT_EQ(label_of("Building", "C", options, source), 1u);
+  options.label_by = LabelBy::object;
+  EXPECT_EQ(label_of("Building", "C", options, source), 3u);
+  EXPECT_EQ(source.labels.at("Building: C"), 3u);
+}
+
+TEST(RequireTypes, NamesTheTypesOfTheFile) {
+  ReadOptions options;
+  options.types = {"Building"};
+  require_types({{"Building", 3}, {"Road", 1}}, options, "city");
+  options.types = {"Buildings"};
+  try {
+    require_types({{"Building", 3}, {"Road", 1}}, options, "city");
+    FAIL() << "an unknown type was accepted";
+  } catch (const geom::InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "city: expected types of the file in --types: Building (3), Road (1), found "
+                 "\"Buildings\"");
+  }
 }
 
 TEST(CountHeight, NamesWhatIsNotUnderstood) {

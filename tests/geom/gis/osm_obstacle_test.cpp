@@ -78,6 +78,20 @@ TEST(OsmObstacle, IsNotFlatAboveTheGround) {
   EXPECT_EQ(kind({{"power", "generator"}, {"generator:source", "gas"}}), "power=generator");
 }
 
+TEST(OsmObstacle, HasATypeWhereItIsBuilt) {
+  const auto type = [](std::string_view key, std::string_view value) {
+    OsmTags tags;
+    tags.add(key, value);
+    EXPECT_EQ(is_built(tags), !type_of_built(tags).empty());
+    return type_of_built(tags);
+  };
+  EXPECT_EQ(type("building", "yes"), "building");
+  EXPECT_EQ(type("disused:building:part", "roof"), "building:part");
+  EXPECT_EQ(type("man_made", "chimney"), "chimney");
+  EXPECT_EQ(type("man_made", "pier"), "");
+  EXPECT_EQ(type("building", "no"), "");
+}
+
 TEST(OsmTags, GiveTheTextsOfAKeyTogether) {
   const OsmTags both = tags({{"height", "5"}, {"construction:height", "40 m"}});
   EXPECT_EQ(both.text("height"), "5;40 m");

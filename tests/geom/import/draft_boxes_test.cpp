@@ -50,9 +50,11 @@ TEST(DraftBoxes, TakesTheOptionsBeforeWhatTheFileSays) {
 }
 
 TEST(DraftBoxes, RefusesPadForAFileWithBounds) {
-  BoxDraftOptions options;
-  options.map.pad = 2;
-  EXPECT_THROW(drafted(kBlocks, options), UsageError);
+  for (const double pad : {0.0, 2.0}) {
+    BoxDraftOptions options;
+    options.map.pad = pad;
+    EXPECT_THROW(drafted(kBlocks, options), UsageError) << pad;
+  }
 }
 
 TEST(DraftBoxes, RefusesWhatCannotBeBuiltUnlessThatIsAllowed) {

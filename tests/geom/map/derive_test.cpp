@@ -38,6 +38,31 @@ TEST(Crop, KeepsWhatMeetsTheRegion) {
   EXPECT_THROW(crop(city(), {{200, 0, 0}, {300, 9, 9}}, "city"), InputError);
 }
 
+TEST(WithBounds, KeepsAllBoxesAndSetsWhatIsSaid) {
+  const MadeMap made = with_bounds(city(), {.floor = -2, .ceiling = 90}, "city");
+  EXPECT_EQ(made.map.size(), 2u);
+  EXPECT_EQ(made.map.spec().bounds, (Aabb{{0, 0, -2}, {100, 100, 90}}));
+  EXPECT_EQ(made.map.spec().bounds_from, "option");
+  EXPECT_EQ(made.beyond, 0u);
+  const Json step = Json::parse(made.map.spec().history).back();
+  EXPECT_EQ(step["tool"], "skyway-map bounds");
+  EXPECT_EQ(step["ceiling"], 90);
+  EXPECT_EQ(step["floor"], -2);
+  const Aabb box{{-1, -1, 0}, {50, 50, 40}};
+  EXPECT_EQ(with_bounds(city(), {.bounds = box}, "city").map.spec().bounds, box);
+}
+
+TEST(WithBounds, PadReachesBeyondTheObstaclesAndNeverMakesBoundsSmaller) {
+  EXPECT_EQ(with_bounds(city(), {.pad = 30}, "city").map.spec().bounds,
+            (Aabb{{-30, -30, 0}, {110, 100, 60}}));
+  EXPECT_EQ(with_bounds(city(), {.pad = 0}, "city").map.spec().bounds, city().spec().bounds);
+}
+
+TEST(WithBounds, CountsWhatIsBeyondAndRefusesEmptyBounds) {
+  EXPECT_EQ(with_bounds(city(), {.bounds = Aabb{{0, 0, 0}, {50, 50, 40}}}, "city").beyond, 1u);
+  EXPECT_THROW(with_bounds(city(), {.ceiling = 0}, "city"), InputError);
+}
+
 TEST(Inflate, GrowsEachBoxOnEverySide) {
   const BoxMap grown = inflate(city(), 0.5);
   EXPECT_EQ(grown.size(), 2u);

@@ -36,6 +36,14 @@ TEST(BoxesOf, KeepAFloorUnderAnOpenCourt) {
   EXPECT_FALSE(any_holds(table, {5, 5, 1}));
 }
 
+TEST(BoxesOf, HaveTheIdAndTheLabelOfTheirFeature) {
+  std::vector<Footprint> city = {{{square(0, 10), {}}, 0, 5, 1}, {{square(20, 30), {}}, 0, 5, 2}};
+  city[1].label = 7;
+  const BoxTable table = boxes_of(city, 0.5, {});
+  EXPECT_EQ(table.ids, (std::vector<std::uint64_t>{1, 2}));
+  EXPECT_EQ(table.label, (std::vector<std::uint32_t>{0, 7}));
+}
+
 // What no box holds lies outside the floor here and inside it there, in the same rows.
 TEST(BoxesOf, TellTheCourtOfAFloorFromItsNotches) {
   const std::vector<Vec2> notched = {{0, 0},   {20, 0}, {20, 10}, {18, 10}, {18, 2}, {14, 2},

@@ -25,6 +25,12 @@ TEST(MakeMap, BoundsAreThoseOfTheObstaclesPaddedSidewaysAndUpward) {
             (Aabb{{0, 0, -1}, {10, 20, 99}}));
 }
 
+TEST(MakeMap, HeadroomStandsInPlaceOfThePadUpward) {
+  EXPECT_EQ(made({kHouse}, {.pad = 3, .headroom = 100}).map.spec().bounds,
+            (Aabb{{-3, -3, 2}, {13, 23, 130}}));
+  EXPECT_EQ(made({kHouse}, {.ceiling = 50, .headroom = 100}).map.spec().bounds.max.z(), 50);
+}
+
 TEST(MakeMap, BoundsAskedForReplaceThoseOfTheSourceWhichAreScaled) {
   MakeMapOptions options{.scale = 2, .source_bounds = Aabb{{0, 0, 0}, {50, 50, 50}}, .pad = 3};
   EXPECT_EQ(made({kHouse}, options).map.spec().bounds, (Aabb{{0, 0, 0}, {100, 100, 100}}));

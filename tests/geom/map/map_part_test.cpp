@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "geom/base/error.h"
 #include "support/random_city.h"
 #include "support/shards.h"
@@ -12,12 +14,17 @@ namespace {
 MapDraft draft_of(const BoxMap& city) {
   MapDraft draft;
   draft.source = "city";
-  for (std::size_t i = 0; i < city.size(); ++i) draft.table.add(city.boxes()[i], city.ids()[i]);
+  for (std::size_t i = 0; i < city.size(); ++i) {
+    draft.table.add(city.boxes()[i], city.ids()[i], static_cast<std::uint32_t>(i * 7 % 3));
+  }
+  draft.table.labels = {"", "Road", "Building"};
   draft.frame = {Axes::neu, GeodeticOrigin{60, 25, 12}, ""};
   draft.options.scale = 0.5;
   draft.options.inflate = 0.25;
   draft.options.floor = -3;
   draft.options.seal = 2;
+  draft.options.pad = 7;
+  draft.options.headroom = 90;
   draft.history = R"([{"tool":"test"}])";
   return draft;
 }
@@ -26,9 +33,10 @@ MapDraft draft_of(const BoxMap& city) {
 MapDraft share_of(const MapDraft& whole, const Shard& shard) {
   MapDraft out = whole;
   out.table = {};
+  out.table.labels = whole.table.labels;
   const std::size_t all = whole.table.boxes.size();
   for (std::size_t i = shard.begin(all); i < shard.end(all); ++i) {
-    out.table.add(whole.table.boxes[i], whole.table.ids[i]);
+    out.table.add(whole.table.boxes[i], whole.table.ids[i], whole.table.label[i]);
   }
   return out;
 }
@@ -45,6 +53,8 @@ TEST(MapPart, SharesOfBoxesJoinToTheMapOfAll) {
     EXPECT_EQ(joined.map.spec().history, expected.map.spec().history);
     EXPECT_EQ(joined.map.spec().bounds, expected.map.spec().bounds);
     EXPECT_EQ(joined.sealed, expected.sealed);
+    EXPECT_EQ(joined.map.labels(), expected.map.labels());
+    EXPECT_TRUE(std::ranges::equal(joined.map.label(), expected.map.label()));
   }
 }
 

@@ -9,8 +9,10 @@
 namespace geom {
 namespace {
 
-BoxMap map_at(const std::optional<GeodeticOrigin>& origin, Axes axes = Axes::enu) {
+BoxMap map_at(const std::optional<GeodeticOrigin>& origin, Axes axes = Axes::enu,
+              const std::string& history = "") {
   BoxMapSpec spec;
+  spec.history = history;
   spec.bounds = {{-100, -100, -3}, {100, 100, 50}};
   spec.frame.origin = origin;
   spec.frame.axes = axes;
@@ -44,6 +46,26 @@ TEST(Locator, CountsFromTheHighestBoxUnderThePlaceOrFromTheFloor) {
   EXPECT_EQ(height_at(15, 30), 14);
   EXPECT_EQ(height_at(11, 21), 32);
   EXPECT_EQ(height_at(50, 50), -1);
+}
+
+TEST(Locator, RefusesToCountFromAHoleInAScan) {
+  const GeodeticOrigin origin{60, 25, 0};
+  const GeodeticPlace p = GeographicFrame(origin).place({50, 50, 0});
+  for (const char* history :
+       {R"([{"tool":"skyway-cloud"}])", R"([{"tool":"skyway-footprints","format":"raster"}])",
+        R"([{"tool":"skyway-map join","histories":[[{"tool":"skyway-cloud"}]]}])"}) {
+    const BoxMap map = map_at(origin, Axes::enu, history);
+    const Locator locator(map);
+    EXPECT_NE(support::refusal_of([&] {
+                locator.at(EarthPlace{p.latitude, p.longitude, 2, true}, "q", 3);
+              }).find("q:3: nothing was scanned under latitude"),
+              std::string::npos);
+    EXPECT_EQ(locator.at(EarthPlace{p.latitude, p.longitude, 2, false}, "q", 3).z(), 2);
+    const GeodeticPlace roof = GeographicFrame(origin).place({15, 30, 0});
+    EXPECT_EQ(locator.at(EarthPlace{roof.latitude, roof.longitude, 2, true}, "q", 3).z(), 14);
+  }
+  const BoxMap odd = map_at(origin, Axes::enu, R"([{"tool":7,"format":["raster"]}])");
+  EXPECT_EQ(Locator(odd).at(EarthPlace{p.latitude, p.longitude, 2, true}, "q", 3).z(), -1);
 }
 
 TEST(Locator, RefusesWhatHasNoPlaceOnTheMap) {

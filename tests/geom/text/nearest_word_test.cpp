@@ -47,6 +47,13 @@ TEST(NearestWord, DoesNotCountCaseBlanksAndHyphens) {
   EXPECT_EQ(nearest_word("--vmx", std::vector<std::string>{"--amax", "--vmax"}), "--vmax");
 }
 
+TEST(NearestWord, IsFirstOneThatHasItBetweenHyphens) {
+  const std::vector<std::string> known = {"wpl", "qgc-plan", "dji-wpml"};
+  EXPECT_EQ(nearest_word("wpml", known), "dji-wpml");
+  EXPECT_EQ(nearest_word("plan", known), "qgc-plan");
+  EXPECT_EQ(nearest_word("wp", known), "wpl");
+}
+
 TEST(NearestWord, IsElseTheShortestThatItBegins) {
   EXPECT_EQ(nearest_word("imp", kVerbs), "import");
   EXPECT_EQ(nearest_word("--form", std::vector<std::string>{"--file-format", "--format"}),

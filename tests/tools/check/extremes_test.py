@@ -119,7 +119,7 @@ with tempfile.TemporaryDirectory() as folder:
                           ["skyway-plot", "profile", file("r.jsonl"), "-o", file("m.svg")],
                           ["skyway-plot", "clearance", box_map, file("r.jsonl"), "-o", file("m.svg")],
                           ["skyway-view", box_map, file("r.jsonl"), "-o", file("m.html")],
-                          ["skyway-render", box_map, file("r.jsonl"), "--view", "plan", "--size", "64x48", "-o", file("m.png")],
+                          ["skyway-render", box_map, file("r.jsonl"), "--view", "plan", "--image-size", "64x48", "-o", file("m.png")],
                           ["skyway-info", "--json", file("r.jsonl")],
                           ["skyway-export", box_map, file("r.jsonl"), "--format", "setpoints", "-o", file("e.csv")],
                           ["skyway-export", box_map, file("r.jsonl"), "--format", "crazyflie", "-o", file("e.csv")],

@@ -139,7 +139,7 @@ class Case:
             "map crop": ["skyway-map", "crop", self.map, "--bounds=-1e4,-1e4,-1e4,1e4,1e4,1e4", *out],
             "map join": ["skyway-map", "join", self.map, self.map, *out],
             "map merge": ["skyway-map", "merge", self.map, *out],
-            "map tile": ["skyway-map", "tile", self.map, "--size", 50, *out],
+            "map tile": ["skyway-map", "tile", self.map, "--tile", 50, *out],
             "map inflate": ["skyway-map", "inflate", self.map, "--by", 0.1, *out],
             "map patch": ["skyway-map", "patch", self.map, "--remove", int(self.arrays["ids"][0]), *out],
             "map diff": ["skyway-map", "diff", self.map, self.map, *out],

@@ -45,7 +45,7 @@ TOOLS = {
     "skyway-export": ["m.boxmap", "t.jsonl", "--format", "crazyflie"],
     "skyway-import-flight": ["hop.ulg"],
     "skyway-import-trajectory": ["c.csv"],
-    "skyway-render": ["m.boxmap", "--view", "plan", "--size", "64x48"],
+    "skyway-render": ["m.boxmap", "--view", "plan", "--image-size", "64x48"],
     "skyway-plot": ["plan", "m.boxmap"],
     "skyway-view": ["m.boxmap", "p.jsonl"],
     "skyway-bench": ["m.boxmap", *BOX, "--queries", "q.jsonl", "--method", "auto", "--repeat", "1"],

@@ -148,7 +148,7 @@ HIT_LEGS = [(500, 0, 0)] * 16
 def drone(form, text, *options):
     path = folder / "file"
     path.write_bytes(text if isinstance(text, bytes) else text.encode())
-    start = ("--start", "25,-80,0", "--heading", "0") if form == "tello" else ()
+    start = ("--takeoff-place", "25,-80,0", "--heading", "0") if form == "tello" else ()
     place = ("--origin", f"{LAT},{LON},0") if form in ("kml", "geojson", "wpl", "qgc-plan") else ()
     checked = run("skyway-check", folder / "map", path, "--file-format", form, *VEHICLE, *start, *place, *options)
     kinds = {form, "auto"}

@@ -251,7 +251,7 @@ def check_tello(record, heading):
     assert FakeTello.sent == script
 
     start = ",".join(str(v) for v in (*position(record, 0)[:2], 0))
-    report = json.loads(run("skyway-check", folder / "enu", out, "--file-format", "tello", "--start", start,
+    report = json.loads(run("skyway-check", folder / "enu", out, "--file-format", "tello", "--takeoff-place", start,
                             "--heading", heading, *VEHICLE))
     assert report["ok"] and report["clearance"] > 0.3
 

@@ -117,7 +117,7 @@ def obstacles():
         # New corners of an editor have negative numbers: they are read like all others.
         new = [(-i if random.random() < 0.5 else i, x, y, t) for i, x, y, t in corners]
         osm(sorted(new), [(-9, [n[0] for n in new] + [new[0][0]], BUILDING)])
-        done = run("skyway-footprints", "o.osm", "-o", "o.boxmap")
+        done = run("skyway-footprints", "o.osm", "--pad", "0", "-o", "o.boxmap")
         found = info("o.boxmap")
         reach = [b - a for a, b in zip(json.loads(found["bounds_min_m"]), json.loads(found["bounds_max_m"]))]
         expect("OSM new nodes", case, done.returncode == 0 and min(reach[:2]) > 29 and reach[2] == 30, done)

@@ -77,7 +77,7 @@ void DroneFileOptions::add_to(CLI::App& parser) {
   parser.add_flag_callback(
       "--paths-csv", [this] { format = traj::kPathsCsv.format.word; },
       "FILE is a table of paths with columns id,x,y,z");
-  add_point(parser, "--start", reading.start,
+  add_point(parser, "--takeoff-place", reading.start,
             "where a Tello stands before it takes off, along the map's axes");
   add_placement(parser, reading.placement);
   add_mission_to(parser);
@@ -127,7 +127,7 @@ void DroneFileOptions::add_heights_to(CLI::App& parser) {
                   "with a return fails the check")
       ->check(CLI::Range(0.0, 1e4));
   parser
-      .add_option("--terrain", reading.rules.ground,
+      .add_option("--terrain-height", reading.rules.ground,
                   "height of flat ground in the map's z, from which a mission's heights above "
                   "terrain count")
       ->check(CLI::Range(-1e6, 1e6));

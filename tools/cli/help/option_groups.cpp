@@ -21,51 +21,55 @@ constexpr Group kGroups[] = {
      "--queries --reference --set --length=METRES --from --to --format --file-format --paths-csv "
      "--paths --lattice --roadmap --old-map --patch --map --plan check--tube --moving "
      "--alternatives --others --planner-cmd=COMMAND --frames view--poses --epoch=INSTANT "
-     "--departure=SECONDS --id=NAME footprints--terrain --where=SQL --height-attribute=NAME "
-     "--model-path=FOLDER --without=NAME --fence --keep-out --keep-out-local --add "
+     "--departure=SECONDS --id=NAME --terrain --where=SQL --height-attribute=NAME "
+     "--types=TYPE,... --label-by --model-path=FOLDER --without=NAME --fence --keep-out "
+     "--keep-out-local --add "
      "--remove=IDS|FILE --far --metres --crs --units --vertical-units --height-units "
      "--default-height=METRES --storey=METRES --classes cloud--origin footprints--origin=LAT,LON "
-     "mesh--origin import--origin --zero-height=METRES --up footprints--axes --frame --begin "
-     "cloud--noise --unknown --allow-skipped --collisions-only import-trajectory--gap=METRES "
+     "mesh--origin --zero-height=METRES --up footprints--axes --frame --begin "
+     "--noise-points --unknown --allow-skipped --collisions-only import-trajectory--gap=METRES "
      "--resolution=METRES --scale=FACTOR --all --verify --join"},
     {"Output",
      "-o --output check--report=WORD --report --json --degrees --profile --profile-step=LENGTH --junit --certificate "
      "--tree --corridor-file --python --table --show --unchecked --no-clearance --resample=METRES "
-     "export--rate=HERTZ export--axes --wpml-version --aircraft --hover --turns=METRES "
+     "export--rate=HERTZ export--axes --wpml-version --aircraft --hover --turns=METRES --lost-link "
+     "--gimbal=DEGREES "
      "--volumes --buffer=METRES --speed=METRES/S export--tolerance=METRES --title=WORDS --depth "
-     "--depth-unit=METRES --ids render--poses fly--tube --log-rate=HERTZ"},
+     "--depth-unit=METRES --ids render--poses --clear-tube --log-rate=HERTZ"},
     {"Vehicle and room",
      "--vehicle --margin=METRES --spare=METRES --memory=BYTES --navigation --tracking"},
     {"Limits",
      "--override --require-clearance=METRES --sampled --drop-refused"},  // and geom::kLimitKinds
     {"Drone and place",
-     "--start --origin --geoid=METRES --ground=METRES --takeoff-height=METRES --heading=DEGREES "
-     "--acceptance=METRES --braking=METRES/S2 --return-height=METRES --terrain=METRES "
+     "--takeoff-place --origin --geoid=METRES --ground=METRES --takeoff-height=METRES "
+     "--heading=DEGREES "
+     "--acceptance=METRES --braking=METRES/S2 --return-height=METRES --terrain-height=METRES "
      "--autopilot=WORD --params --drag=PER-SECOND"},
     {"Flights together",
      "--together --separation --separation-box --downwash --parked --max-delay=SECONDS --improve "
-     "plot--within=METRES"},
+     "--nearer-than=METRES"},
     {"Boxes",
-     "cloud--mode cloud--cell=METRES cloud--step=METRES cloud--gap=METRES cloud--ground "
+     "cloud--mode cloud--cell=METRES cloud--step=METRES cloud--gap=METRES --ground-points "
      "cloud--tolerance=METRES --outliers=COUNT,FACTOR --voxel=METRES --ground-by "
      "--ground-cell=METRES --ground-slope=METRES --ground-height=METRES --ground-step=METRES "
      "--ground-widest=METRES --min-points --seal=METRES --floor=METRES --ceiling=METRES "
      "--pad=METRES --bounds --bloat-percent=PERCENT --inflate=METRES --tile=METRES --slack=METRES "
-     "--solid --height-step=METRES --by=METRES map--size=METRES synth--size=METRES "
+     "--solid --height-step=METRES --by=METRES --size=METRES "
      "--height=METRES"},
     {"Search and solver",
-     "--method --quality --spacing=METRES --connect --connectivity lattice--origin "
+     "--method --quality --spacing=METRES --connect=COUNT --node "
      "plan--step=METRES --goal-bias=SHARE --iterations --radius=METRES --patience "
      "plan--seconds=SECONDS --raw --snap-ends=METRES --bound=SHARE --layers --reach=METRES "
      "--part=METRES --region --exact --solver --times --corridor --rho=SECONDS --yaw=WORD "
-     "--until-converged --within=PERCENT --min-trials --trials --repeat "
+     "--until-converged --precision=PERCENT --min-trials --trials --repeat "
      "--ompl-seconds=SECONDS"},
     {"Simulated flight",
      "--wind --gusts=METRES/S --noise --controller --gains=WORD|FILE --feed-forward "
-     "--delay=SECONDS fly--hover=SECONDS --settle=SECONDS fly--step=SECONDS --mass-error=SHARE "
+     "--delay=SECONDS --hover-time=SECONDS --settle=SECONDS --loop-period=SECONDS "
+     "--mass-error=SHARE "
      "--runs --tune --cost=WORDS"},
     {"Picture",
-     "--view --camera --rate=HERTZ --at=SECONDS --size=WIDTHxHEIGHT --azimuth=DEGREES "
+     "--view --camera --rate=HERTZ --at=SECONDS --image-size=WIDTHxHEIGHT --azimuth=DEGREES "
      "--elevation=DEGREES --shadows --samples"},
     {"How it runs",
      "--seed=NUMBER --threads --progress --stats -q --quiet --shard=K/N --version -h --help "

@@ -16,13 +16,13 @@ constexpr Page kPages[] = {
      "skyway-import data/downtown.csv | skyway-bench - --vehicle tello --queries "
      "data/samples/queries.jsonl --method auto,astar -o report.json",
      "--queries --length --roadmap --lattice --output --vehicle --margin --method "
-     "--planner-cmd --quality --within --trials --seed --threads"},
+     "--planner-cmd --quality --precision --trials --seed --threads"},
     {"skyway-check",
      "skyway-import data/downtown.csv | skyway-check - data/samples/trajectories.jsonl",
      "--file-format --output --report --certificate --vehicle --margin --vmax --amax --ground "
      "--autopilot --together --separation --exact"},
     {"skyway-cloud", "skyway-cloud data/samples/scan.xyz --cell 1 -o scan.boxmap",
-     "--format --crs --origin --unknown --allow-skipped --output --mode --cell --ground "
+     "--format --crs --origin --unknown --allow-skipped --output --mode --cell --ground-points "
      "--floor --ceiling --bounds --threads"},
     {"skyway-export",
      "skyway-import data/downtown.csv | skyway-export - data/samples/trajectories.jsonl --id north "
@@ -37,7 +37,8 @@ constexpr Page kPages[] = {
     {"skyway-fly",
      "skyway-import data/downtown.csv | skyway-fly - data/samples/trajectories.jsonl --vehicle "
      "quad2kg --wind 2,0,0 -o flight.csv",
-     "--output --report --tube --vehicle --margin --wind --gusts --noise --controller --gains "
+     "--output --report --clear-tube --vehicle --margin --wind --gusts --noise --controller "
+     "--gains "
      "--runs --tune --seed --threads"},
     {"skyway-footprints", "skyway-footprints data/samples/blocks.geojson -o blocks.boxmap",
      "--format --origin --terrain --height-attribute --default-height --allow-skipped --output "
@@ -49,15 +50,16 @@ constexpr Page kPages[] = {
     {"skyway-import-trajectory",
      "skyway-import-trajectory data/samples/mission.plan --origin 37,-122,0 --ground 0 --vehicle "
      "quad2kg -o mission.jsonl",
-     "--format --map --id --origin --geoid --ground --return-height --terrain --gap --output "
-     "--vehicle --margin --start --heading"},
+     "--format --map --id --origin --geoid --ground --return-height --terrain-height --gap "
+     "--output "
+     "--vehicle --margin --takeoff-place --heading"},
     {"skyway-info", "skyway-info data/downtown.csv", ""},
     {"skyway-join",
      "skyway-cloud data/samples/scan.xyz --shard 1/1 -o s.1 && skyway-join s.1 -o scan.boxmap", ""},
     {"skyway-lattice",
      "skyway-import data/downtown.csv | skyway-lattice - --spacing 10 --connect 26 --vehicle tello "
      "-o city.lattice",
-     "--output --vehicle --margin --memory --spacing --connect --origin --threads --shard"},
+     "--output --vehicle --margin --memory --spacing --connect --node --threads --shard"},
     {"skyway-map", "skyway-import data/downtown.csv | skyway-map info -", "--threads --quiet"},
     {"skyway-mesh", "skyway-mesh data/samples/house.obj --solid --slack 0.5 -o house.boxmap",
      "--format --units --up --origin --allow-skipped --output --slack --solid --seal --floor "
@@ -75,7 +77,8 @@ constexpr Page kPages[] = {
      "--metres --output --degrees --vehicle --margin --memory --threads --quiet"},
     {"skyway-render",
      "skyway-import data/downtown.csv | skyway-render - --view overview -o overview.png",
-     "--output --depth --vehicle --id --view --camera --rate --at --size --azimuth --elevation "
+     "--output --depth --vehicle --id --view --camera --rate --at --image-size --azimuth "
+     "--elevation "
      "--shadows --threads"},
     {"skyway-replan",
      "skyway-import data/downtown.csv | skyway-replan - data/samples/paths.jsonl -o paths.jsonl",
@@ -93,7 +96,8 @@ constexpr Page kPages[] = {
      "--times --yaw --rho --threads"},
     {"skyway-view",
      "skyway-import data/downtown.csv | skyway-view - data/samples/trajectories.jsonl -o page.html",
-     "--frames --poses --output --title --vehicle --margin --origin --ground --start --heading "
+     "--frames --poses --output --title --vehicle --margin --origin --ground --takeoff-place "
+     "--heading "
      "--return-height"},
 };
 

@@ -50,6 +50,12 @@ nlohmann::ordered_json to_json(const std::vector<geom::Fact>& facts) {
   return out;
 }
 
+void warn_of_beyond(const geom::MadeMap& made, const std::string& source, const Common& common) {
+  if (made.beyond == 0) return;
+  common.warn(fmt::format("{}: {} wholly outside the bounds", source,
+                          geom::counted(made.beyond, "box lies", "boxes lie")));
+}
+
 void write_map(const Common& common, const std::string& output, const geom::MadeMap& made,
                const std::string& source, nlohmann::ordered_json stats) {
   const geom::BoxMapSpec& spec = made.map.spec();
@@ -60,10 +66,7 @@ void write_map(const Common& common, const std::string& output, const geom::Made
                     "are metres from its origin, so give metres",
                     corners[0].x(), corners[0].y(), corners[1].x(), corners[1].y()));
   }
-  if (made.beyond > 0) {
-    common.warn(fmt::format("{}: {} wholly outside the bounds", source,
-                            geom::counted(made.beyond, "box lies", "boxes lie")));
-  }
+  warn_of_beyond(made, source, common);
   OutputFile out(output, OutputKind::artefact);
   geom::write_box_map(out.stream(), made.map);
   out.commit();

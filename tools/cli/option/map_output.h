@@ -21,6 +21,9 @@ void add_allow_skipped(CLI::App& app, bool& allowed);
 // Facts about what was read, as --stats writes them.
 nlohmann::ordered_json to_json(const std::vector<geom::Fact>& facts);
 
+// Warns of boxes beyond the bounds of the map, which was made of `source`.
+void warn_of_beyond(const geom::MadeMap& made, const std::string& source, const Common& common);
+
 // Writes the map and, where --stats asks for it, its counts after those of `stats`; warns of boxes
 // beyond the bounds.
 void write_map(const Common& common, const std::string& output, const geom::MadeMap& made,

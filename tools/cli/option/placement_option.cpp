@@ -1,25 +1,17 @@
 #include "placement_option.h"
 
-#include <cmath>
-
-#include "numbers_option.h"
+#include "origin_option.h"
 
 namespace cli {
 
 void add_origin(CLI::App& app, traj::Placement& placement) {
   app.add_option_function<std::string>(
          "--origin",
-         [&placement](const std::string& text) {
-           const auto v = parse_numbers(text, 3);
-           if (!v || std::abs((*v)[0]) > 90 || std::abs((*v)[1]) > 180) {
-             throw CLI::ValidationError(
-                 "--origin", "expected latitude,longitude,height, found \"" + text + '"');
-           }
-           placement.origin = geom::GeodeticOrigin{(*v)[0], (*v)[1], (*v)[2]};
-         },
-         "where on Earth the map's (0, 0, 0) is: degrees, and metres above the ellipsoid (default: "
-         "what the map says)")
-      ->type_name("LAT,LON,HEIGHT");
+         [&placement](const std::string& text) { placement.origin = origin_from(text); },
+         "where on Earth the map's (0, 0, 0) is: degrees, and metres above the ellipsoid where "
+         "that "
+         "is known (default: what the map says)")
+      ->type_name(kOriginForm);
   app.add_option("--geoid", placement.geoid,
                  "height of the sea level there above the ellipsoid, metres; converts heights "
                  "above the sea (default 0)")
@@ -38,8 +30,10 @@ void add_placement(CLI::App& app, traj::Placement& placement) {
   app.add_option("--takeoff-height", placement.takeoff_height,
                  "metres above the ground to which a Tello rises on take-off (default 1)")
       ->check(CLI::Range(0.2, 10.0));
-  app.add_option("--heading", placement.heading,
-                 "where a Tello's nose points on the ground, degrees clockwise from north")
+  app.add_option(
+         "--heading", placement.heading,
+         "where a Tello's nose points on the ground, or a DJI aircraft's on its way, degrees "
+         "clockwise from north")
       ->check(CLI::Range(-360.0, 360.0));
 }
 

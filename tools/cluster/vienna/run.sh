@@ -55,7 +55,7 @@ blocks() {
   skyway-footprints "$buildings" --height-attribute bldg_h_max --slack "$slack" -q -o "$1" "${@:2}"
 }
 hull() {
-  blocks blocks.boxmap --floor 0
+  blocks blocks.boxmap --floor 0 --pad 0
   skyway-info blocks.boxmap >blocks.info
   skyway-query blocks.boxmap pads.jsonl --vehicle "$here/MP20.json" -q -o pads.metres
   python3 "$here/flights.py" bounds . >bounds.partial

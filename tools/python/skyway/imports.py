@@ -38,7 +38,7 @@ def import_boxes(path: File, *, format: str = "auto", frame: Optional[str] = Non
                  unknown: str = "free", slack: float = 0.1, collisions_only: bool = False,
                  without: Sequence[str] = (), model_path: Sequence[File] = (), allow_skipped: bool = False,
                  seal: Optional[float] = None, floor: Optional[float] = None, ceiling: Optional[float] = None,
-                 pad: float = 0.0, scale: float = 1.0, bloat_percent: float = 0.0, inflate: float = 0.0,
+                 pad: Optional[float] = None, scale: float = 1.0, bloat_percent: float = 0.0, inflate: float = 0.0,
                  bounds: Optional[ArrayLike] = None, tile: float = 100.0) -> BoxMap:
     """A table, block text, world, voxel map or octree, as skyway-import makes it.
 
@@ -55,11 +55,11 @@ def import_boxes(path: File, *, format: str = "auto", frame: Optional[str] = Non
 
 def import_footprints(path: File, *, format: str = "auto", slack: float = 0.5,
                       height_attribute: Optional[str] = None, storey: float = 3.0,
-                      default_height: Optional[float] = None, where: Optional[str] = None, height_step: float = 0.5,
-                      terrain: Optional[File] = None, origin: Optional[Sequence[float]] = None,
+                      default_height: Optional[float] = None, types: Sequence[str] = (), label_by: str = "type",
+                      where: Optional[str] = None, height_step: float = 0.5, terrain: Optional[File] = None, origin: Optional[Sequence[float]] = None,
                       height_units: Optional[str] = None, axes: Optional[str] = None, metres: bool = False,
                       allow_skipped: bool = False, seal: Optional[float] = None, floor: Optional[float] = None,
-                      ceiling: Optional[float] = None, pad: float = 0.0, scale: float = 1.0,
+                      ceiling: Optional[float] = None, pad: Optional[float] = None, scale: float = 1.0,
                       bloat_percent: float = 0.0, inflate: float = 0.0, bounds: Optional[ArrayLike] = None,
                       tile: float = 100.0, threads: int = 0) -> BoxMap:
     """GeoJSON, OpenStreetMap, CityJSON, CityGML, height models and more, as skyway-footprints makes it.
@@ -72,14 +72,14 @@ def import_footprints(path: File, *, format: str = "auto", slack: float = 0.5,
 
 def import_cloud(path: File, *, format: str = "auto", mode: str = "columns", cell: float = 1.0, step: float = 0.5,
                  gap: float = 2.0, unknown: str = "free", classes: Sequence[Union[str, int]] = (),
-                 noise: str = "keep", outliers: Optional[tuple[int, float]] = None, voxel: Optional[float] = None,
-                 resolution: Optional[float] = None, ground: str = "keep", ground_by: str = "auto",
+                 noise_points: str = "keep", outliers: Optional[tuple[int, float]] = None, voxel: Optional[float] = None,
+                 resolution: Optional[float] = None, ground_points: str = "keep", ground_by: str = "auto",
                  ground_cell: float = 2.0, ground_slope: float = 0.1, ground_height: float = 0.3,
                  ground_step: float = 1.0, ground_widest: float = 200.0, tolerance: float = 1.0, min_points: int = 1,
                  crs: Optional[str] = None, units: Optional[str] = None, vertical_units: Optional[str] = None,
                  origin: Union[None, str, Sequence[float]] = None, allow_skipped: bool = False,
                  seal: Optional[float] = None, floor: Optional[float] = None, ceiling: Optional[float] = None,
-                 pad: float = 0.0, scale: float = 1.0, bloat_percent: float = 0.0, inflate: float = 0.0,
+                 pad: Optional[float] = None, scale: float = 1.0, bloat_percent: float = 0.0, inflate: float = 0.0,
                  bounds: Optional[ArrayLike] = None, tile: float = 100.0, threads: int = 0) -> BoxMap:
     """LAS, LAZ, COPC, PCD, PLY or XYZ, as skyway-cloud makes it.
 
@@ -92,7 +92,7 @@ def import_cloud(path: File, *, format: str = "auto", mode: str = "columns", cel
 def import_model(path: File, *, format: str = "auto", slack: float = 0.25, solid: bool = False,
                  up: Optional[str] = None, units: Optional[str] = None, origin: Optional[Sequence[float]] = None,
                  allow_skipped: bool = False, seal: Optional[float] = None, floor: Optional[float] = None,
-                 ceiling: Optional[float] = None, pad: float = 0.0, scale: float = 1.0, bloat_percent: float = 0.0,
+                 ceiling: Optional[float] = None, pad: Optional[float] = None, scale: float = 1.0, bloat_percent: float = 0.0,
                  inflate: float = 0.0, bounds: Optional[ArrayLike] = None, tile: float = 100.0,
                  threads: int = 0) -> BoxMap:
     """OBJ, PLY, STL, glTF, COLLADA, 3DS or 3D Tiles, as skyway-mesh makes it.

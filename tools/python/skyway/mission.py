@@ -20,7 +20,8 @@ def export_mission(scene: CollisionScene, what: Union[Path, Trajectory, ArrayLik
                    heading: Optional[float] = None, rate: Optional[float] = None, axes: Optional[str] = None,
                    tolerance: Optional[float] = None, speed: Optional[float] = None, hover: Optional[bool] = None,
                    wpml_version: Optional[str] = None, aircraft: Optional[str] = None, turns: Optional[float] = None,
-                   autopilot: Optional[str] = None, navigation: Optional[Sequence[float]] = None,
+                   takeoff_place: Optional[Sequence[float]] = None, lost_link: Optional[str] = None,
+                   gimbal: Optional[float] = None, autopilot: Optional[str] = None, navigation: Optional[Sequence[float]] = None,
                    tracking: Optional[Sequence[float]] = None, volumes: Optional[int] = None,
                    buffer: Optional[float] = None, spare: Optional[float] = None) -> dict[str, Any]:
     """The drone file of skyway-export, proved from its bytes: `{"ok": True, "bytes": …, "warnings": […]}`, of a Tello also

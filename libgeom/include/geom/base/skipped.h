@@ -28,8 +28,10 @@ class Skipped {
   bool empty() const { return kinds_.empty(); }
   std::size_t count() const;
 
+  std::map<std::string, std::size_t> by_kind() const;
+
   // "2 x unknown keyword (line 7: window, line 9: blok), 1 x Point (feature 3)"; of more than a
-  // dozen kinds one name each.
+  // dozen kinds the eight most frequent with one name each, "and 31 of 20 more kinds".
   std::string text() const;
 
  private:

@@ -3,7 +3,7 @@
 // The exception for a wrong call: the user left out an option, or gave one without effect.
 //
 // Example, not run:
-//   throw geom::UsageError("--origin: expected latitude,longitude,height, found none");
+//   throw geom::UsageError("--origin: expected LATITUDE,LONGITUDE, found none");
 
 #include <stdexcept>
 

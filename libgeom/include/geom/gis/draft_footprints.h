@@ -21,6 +21,13 @@
 
 namespace geom::gis {
 
+// Where neither map.pad, map.ceiling nor map.bounds is given, the map of anything but a height
+// model reaches so far beyond the outermost wall, and above the highest roof: flights go around and
+// over what the file ends with, 120 m above ground by most laws. The history's `defaulted` names
+// those.
+inline constexpr double kDefaultPad = 50;        // metres
+inline constexpr double kDefaultHeadroom = 120;  // metres; not beside map.pad
+
 struct FootprintDraftOptions {
   const FootprintFormat* format = nullptr;  // null: what footprint_format_of() says
   ReadOptions read;                         // its slack and origin are those of the map, too

@@ -18,6 +18,7 @@
 #include "geom/gis/axis_order.h"
 #include "geom/import/building_height.h"
 #include "geom/map/footprint.h"
+#include "geom/text/words.h"
 
 namespace geom::gis {
 
@@ -58,12 +59,26 @@ struct Source {
   Skipped defaults;                           // built as high as the default, as nothing tells
   bool has_height_attribute = false;          // that of the options was there
   std::map<std::string, NumericAttribute> numeric;  // of the features without a height
+  std::map<std::string, std::uint32_t>
+      labels;  // those of the footprints with their numbers, from 1
+  std::map<std::string, std::size_t> left_out;  // what is not built by its type: how many
+  std::optional<double>
+      left_out_rise;  // where that is so by default: metres above the lowest ground
   Warnings warnings;
   std::vector<std::string> beside;  // paths of files that were read with that which was named
 };
 
+// What the labels of boxes say: "Building", or "Building: BAG.123" where the file has such names.
+enum class LabelBy { type, object };
+inline constexpr Words<LabelBy, 2> kLabelWords{
+    {{LabelBy::type, "type"}, {LabelBy::object, "object"}}};
+
 struct ReadOptions {
   HeightOptions height;
+  // Of city models and OpenStreetMap data: the types that are built; all else is left out. Empty:
+  // all but roads, land use and the like that lie on the ground.
+  std::vector<std::string> types;
+  LabelBy label_by = LabelBy::type;
   Axes axes = Axes::as_named;         // of city models
   std::string where;                  // OGR SQL on attributes; empty: all features
   std::optional<double> height_unit;  // metres in one of the heights that name no unit
@@ -80,12 +95,21 @@ void count_height(const BuildingHeight& height, const std::string& which, Source
 // Throws InputError(name, …) where --height-attribute names one that nothing in the file has.
 void require_attribute(const Source& source, const ReadOptions& options, const std::string& name);
 
+// The number of the label of an object of this type and name, which is added where it is new.
+std::uint32_t label_of(const std::string& type, const std::string& object,
+                       const ReadOptions& options, Source& source);
+
+// Throws InputError(name, …) where one of the types of the options is none of the file's, which are
+// given with how many objects are of each.
+void require_types(const std::map<std::string, std::size_t>& types, const ReadOptions& options,
+                   const std::string& name);
+
 // Notes an attribute of a feature without a height, where its value is a number.
 void note_attribute(const std::string& name, const std::string& value, Source& source);
 
-// Throws InputError(name, …) where more than a tenth of the buildings have no height but the
-// default, which nobody has chosen; the message names the attributes that may be heights.
-void require_heights(const Source& source, const std::string& name);
+// Why a source is refused where more than a tenth of its buildings have no height but the default,
+// which nobody has chosen: names the attributes that may be heights. Else empty.
+std::string heights_fault(const Source& source);
 
 // Metres in a unit of heights that name none, in a source of this CRS: what the options say, or the
 // CRS's own vertical part, or 1 where the CRS counts metres or degrees, or there is none. Nothing

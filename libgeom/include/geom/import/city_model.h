@@ -35,6 +35,7 @@ struct CityObject {
   std::size_t others = 0;  // shapes of points or lines,
   std::size_t drawn = 0;   // and of these, those that draw the object, as lines do an aerial
   bool has_parts = false;
+  bool left_out = false;  // gives no footprint, and is not skipped: nobody asked for its type
   std::map<std::string, std::string> attributes;  // heights with their unit: "6.52 m"
 };
 

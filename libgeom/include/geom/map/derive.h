@@ -8,11 +8,13 @@
 //   assert(grown.box(0).min.x() <= 3.5);
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <span>
 #include <string>
 
 #include "geom/base/execution.h"
 #include "geom/map/box_map.h"
+#include "geom/map/make_map.h"
 #include "geom/map/merge.h"
 #include "geom/map/simplify.h"
 
@@ -33,6 +35,19 @@ BoxMap derived(BoxMapSpec spec, const BoxTable& table, const nlohmann::ordered_j
 // The boxes that meet the region, and the bounds inside it. Throws InputError(source, …) where the
 // region does not meet the bounds.
 BoxMap crop(const BoxMap& map, const Aabb& region, const std::string& source);
+
+// Bounds to set: `bounds` in place of all others, or the map's own, changed.
+struct BoundsChange {
+  std::optional<Aabb> bounds;
+  std::optional<double> floor;    // lower z, metres
+  std::optional<double> ceiling;  // upper z
+  std::optional<double> pad;      // reach at least so far beyond the obstacles, sideways and upward
+};
+
+// The same boxes within other bounds, which the map then has from an option. `beyond` counts the
+// boxes wholly outside of them; all are kept. Throws InputError(source, …) where the bounds are
+// empty or not finite.
+MadeMap with_bounds(const BoxMap& map, const BoundsChange& change, const std::string& source);
 
 // All boxes of the maps, at least one, in the frame of the first; the bounds are around all bounds.
 // Throws InputError as in_frame() does, and where two have different epochs.

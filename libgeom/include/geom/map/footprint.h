@@ -34,6 +34,7 @@ struct Footprint {
   // polygon grown by it, and reach no further than the slack outside the polygon shrunk by it. For
   // flat tops only.
   double bulge = 0;
+  std::uint32_t label = 0;  // of the feature: a number that its boxes get
 };
 
 // Boxes that contain every point of the footprints, none reaching further than `slack` metres

@@ -25,7 +25,10 @@ struct MakeMapOptions {
   std::optional<Aabb> bounds;         // asked for: replaces all others
   std::optional<double> floor;        // lower z of the bounds, metres
   std::optional<double> ceiling;      // upper z
-  double pad = 0;  // metres around the bounding box of the obstacles, sideways and upward
+  // Metres around the bounding box of the obstacles, sideways and upward; absent: 0.
+  std::optional<double> pad;
+  // Metres above the highest obstacle, in place of `pad`: for sources that tell where obstacles end.
+  std::optional<double> headroom;
   // Obstacles that hang less than this above the floor, in metres, are let down to it. Unless said:
   // what the source's format asks for (ImportedBoxes), and else 0.
   std::optional<double> seal;

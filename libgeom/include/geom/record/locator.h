@@ -24,17 +24,19 @@ class Locator {
   explicit Locator(const BoxMap& map);
 
   // Throws InputError(source, line, …) for a place on Earth if the map does not say where on Earth
-  // it is, or if the place is more than 1000 km away.
+  // it is, if the place is more than 1000 km away, or `above` nothing on a map that has a scan or a
+  // height model: there is a hole in the data.
   Vec3 at(const Place& place, std::string_view source, std::size_t line) const;
 
   // The height of the map's zero in the vertical datum of its origin, metres; 0 without an origin.
   double zero() const;
 
  private:
-  double ground(const Vec3& p) const;
+  std::optional<double> top(const Vec3& p) const;
 
   const BoxMap& map_;
   std::optional<GeographicFrame> earth_;
+  bool scanned_ = false;  // what has no box has no data
 };
 
 }  // namespace geom

@@ -275,6 +275,20 @@ double room_to_turn(std::span<const Vec3> points, std::size_t i, double most) {
   return std::floor(100 * std::min(most, kLegShare * std::min(before, behind))) / 100;
 }
 
+const char* action_of(DjiLostLink lost_link) {
+  switch (lost_link) {
+    case DjiLostLink::go_back:
+      return "goBack";
+    case DjiLostLink::go_on:
+      return "goContinue";
+    case DjiLostLink::land:
+      return "landing";
+    case DjiLostLink::hover:
+      return "hover";
+  }
+  return "";
+}
+
 }  // namespace
 
 DjiMission make_dji_mission(std::span<const Vec3> points, const MissionFrame& frame,
@@ -300,8 +314,15 @@ DjiMission make_dji_mission(std::span<const Vec3> points, const MissionFrame& fr
   mission.finish = options.lands ? DjiFinish::land : DjiFinish::hover;
   mission.security_height = std::clamp(first.height, kLeastSecurity, kMostSecurity);
   mission.transit_speed = speed;
-  mission.takeoff = {first.latitude, first.longitude,
-                     to_millimetres(frame.origin.height + options.home)};
+  mission.without_link = action_of(options.lost_link);
+  mission.gimbal = options.gimbal;
+  mission.nose = options.nose;
+  const double home_height = to_millimetres(frame.origin.height + options.home);
+  mission.takeoff = {first.latitude, first.longitude, home_height};
+  if (options.takeoff) {
+    const geom::GeodeticPlace stands = earth.place(*options.takeoff);
+    mission.takeoff = {to_1e9(stands.latitude), to_1e9(stands.longitude), home_height};
+  }
   mission.waylines.push_back(std::move(wayline));
   return mission;
 }

@@ -39,15 +39,30 @@ std::string head(const DjiMission& mission) {
       mission.version);
 }
 
-// A lost link does not end the mission: what it says then would be flown unchecked.
+// Its own camera, which actions of the gimbal are for.
+std::string payload(const DjiMission& mission) {
+  if (!mission.gimbal) return "";
+  for (const NamedDjiAircraft& known : kDjiAircraft) {
+    if (known.aircraft != mission.aircraft) continue;
+    return fmt::format(
+        "<wpml:payloadInfo>\n"
+        "<wpml:payloadEnumValue>{}</wpml:payloadEnumValue>\n"
+        "<wpml:payloadPositionIndex>0</wpml:payloadPositionIndex>\n"
+        "</wpml:payloadInfo>\n",
+        known.camera);
+  }
+  return "";
+}
+
 std::string config(const DjiMission& mission) {
   const geom::GeodeticPlace& takeoff = *mission.takeoff;
+  const bool goes_on = mission.without_link == "goContinue";
   return fmt::format(
       "<wpml:missionConfig>\n"
       "<wpml:flyToWaylineMode>safely</wpml:flyToWaylineMode>\n"
       "<wpml:finishAction>{}</wpml:finishAction>\n"
-      "<wpml:exitOnRCLost>goContinue</wpml:exitOnRCLost>\n"
-      "<wpml:executeRCLostAction>hover</wpml:executeRCLostAction>\n"
+      "<wpml:exitOnRCLost>{}</wpml:exitOnRCLost>\n"
+      "<wpml:executeRCLostAction>{}</wpml:executeRCLostAction>\n"
       "<wpml:takeOffSecurityHeight>{}</wpml:takeOffSecurityHeight>\n"
       "<wpml:takeOffRefPoint>{:.9f},{:.9f},{:.3f}</wpml:takeOffRefPoint>\n"
       "<wpml:globalTransitionalSpeed>{}</wpml:globalTransitionalSpeed>\n"
@@ -55,10 +70,57 @@ std::string config(const DjiMission& mission) {
       "<wpml:droneEnumValue>{}</wpml:droneEnumValue>\n"
       "<wpml:droneSubEnumValue>{}</wpml:droneSubEnumValue>\n"
       "</wpml:droneInfo>\n"
+      "{}"
       "</wpml:missionConfig>\n",
-      finish_of(mission), shortest(mission.security_height), takeoff.latitude, takeoff.longitude,
-      takeoff.height, shortest(mission.transit_speed), mission.aircraft.type,
-      mission.aircraft.kind);
+      finish_of(mission), goes_on ? "goContinue" : "executeLostAction",
+      goes_on ? "hover" : mission.without_link, shortest(mission.security_height), takeoff.latitude,
+      takeoff.longitude, takeoff.height, shortest(mission.transit_speed), mission.aircraft.type,
+      mission.aircraft.kind, payload(mission));
+}
+
+// Where the nose points.
+std::string heading(const DjiMission& mission) {
+  if (!mission.nose) {
+    return "<wpml:waypointHeadingMode>followWayline</wpml:waypointHeadingMode>\n";
+  }
+  return fmt::format(
+      "<wpml:waypointHeadingMode>smoothTransition</wpml:waypointHeadingMode>\n"
+      "<wpml:waypointHeadingAngle>{}</wpml:waypointHeadingAngle>\n"
+      "<wpml:waypointHeadingPathMode>followBadArc</wpml:waypointHeadingPathMode>\n",
+      shortest(std::remainder(*mission.nose, 360)));
+}
+
+// At the first waypoint; the gimbal stays so.
+std::string gimbal(const DjiMission& mission, std::size_t index) {
+  if (!mission.gimbal || index > 0) return "";
+  return fmt::format(
+      "<wpml:actionGroup>\n"
+      "<wpml:actionGroupId>0</wpml:actionGroupId>\n"
+      "<wpml:actionGroupStartIndex>0</wpml:actionGroupStartIndex>\n"
+      "<wpml:actionGroupEndIndex>0</wpml:actionGroupEndIndex>\n"
+      "<wpml:actionGroupMode>sequence</wpml:actionGroupMode>\n"
+      "<wpml:actionTrigger>\n"
+      "<wpml:actionTriggerType>reachPoint</wpml:actionTriggerType>\n"
+      "</wpml:actionTrigger>\n"
+      "<wpml:action>\n"
+      "<wpml:actionId>0</wpml:actionId>\n"
+      "<wpml:actionActuatorFunc>gimbalRotate</wpml:actionActuatorFunc>\n"
+      "<wpml:actionActuatorFuncParam>\n"
+      "<wpml:payloadPositionIndex>0</wpml:payloadPositionIndex>\n"
+      "<wpml:gimbalHeadingYawBase>north</wpml:gimbalHeadingYawBase>\n"
+      "<wpml:gimbalRotateMode>absoluteAngle</wpml:gimbalRotateMode>\n"
+      "<wpml:gimbalPitchRotateEnable>1</wpml:gimbalPitchRotateEnable>\n"
+      "<wpml:gimbalPitchRotateAngle>{}</wpml:gimbalPitchRotateAngle>\n"
+      "<wpml:gimbalRollRotateEnable>0</wpml:gimbalRollRotateEnable>\n"
+      "<wpml:gimbalRollRotateAngle>0</wpml:gimbalRollRotateAngle>\n"
+      "<wpml:gimbalYawRotateEnable>0</wpml:gimbalYawRotateEnable>\n"
+      "<wpml:gimbalYawRotateAngle>0</wpml:gimbalYawRotateAngle>\n"
+      "<wpml:gimbalRotateTimeEnable>0</wpml:gimbalRotateTimeEnable>\n"
+      "<wpml:gimbalRotateTime>0</wpml:gimbalRotateTime>\n"
+      "</wpml:actionActuatorFuncParam>\n"
+      "</wpml:action>\n"
+      "</wpml:actionGroup>\n",
+      shortest(*mission.gimbal));
 }
 
 std::string point(const DjiWaypoint& waypoint, std::size_t index) {
@@ -96,10 +158,11 @@ std::string waylines(const DjiMission& mission) {
         "<wpml:executeHeight>{:.3f}</wpml:executeHeight>\n"
         "<wpml:waypointSpeed>{}</wpml:waypointSpeed>\n"
         "<wpml:waypointHeadingParam>\n"
-        "<wpml:waypointHeadingMode>followWayline</wpml:waypointHeadingMode>\n"
+        "{}"
         "</wpml:waypointHeadingParam>\n",
-        w.height, shortest(w.speed));
+        w.height, shortest(w.speed), heading(mission));
     text += turn(w);
+    text += gimbal(mission, i);
     text += "</Placemark>\n";
   }
   return text + "</Folder>\n</Document>\n</kml>\n";
@@ -123,12 +186,12 @@ std::string template_of(const DjiMission& mission, std::string_view author) {
       "<wpml:caliFlightEnable>0</wpml:caliFlightEnable>\n"
       "<wpml:gimbalPitchMode>manual</wpml:gimbalPitchMode>\n"
       "<wpml:globalWaypointHeadingParam>\n"
-      "<wpml:waypointHeadingMode>followWayline</wpml:waypointHeadingMode>\n"
+      "{}"
       "</wpml:globalWaypointHeadingParam>\n"
       "<wpml:globalWaypointTurnMode>toPointAndStopWithDiscontinuityCurvature"
       "</wpml:globalWaypointTurnMode>\n"
       "<wpml:globalUseStraightLine>1</wpml:globalUseStraightLine>\n",
-      shortest(mission.transit_speed), wayline.waypoints.front().height);
+      shortest(mission.transit_speed), wayline.waypoints.front().height, heading(mission));
   for (std::size_t i = 0; i < wayline.waypoints.size(); ++i) {
     const DjiWaypoint& w = wayline.waypoints[i];
     text += point(w, i);
@@ -141,6 +204,7 @@ std::string template_of(const DjiMission& mission, std::string_view author) {
         "<wpml:useGlobalTurnParam>{}</wpml:useGlobalTurnParam>\n",
         mission.takeoff->height + w.height, w.height, w.turn == DjiTurn::stop ? 1 : 0);
     if (w.turn != DjiTurn::stop) text += turn(w);
+    text += gimbal(mission, i);
     text += "</Placemark>\n";
   }
   return text + "</Folder>\n</Document>\n</kml>\n";

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "geom/map/frame.h"
 #include "geom/text/beginning.h"
 #include "mission/formats/mavlink_format.h"
 #include "mission/formats/text_head.h"
@@ -42,12 +43,12 @@ std::vector<std::string> notes_of(const DjiMission& mission, const DjiRules& rul
                            : "the return to home is left out: its height is a setting of the "
                              "aircraft; give it with --return-height");
   }
-  if (mission.without_link != "goContinue") {
-    notes.push_back(
-        fmt::format("what the aircraft does when it loses its controller ({}) is not "
-                    "looked at",
-                    mission.without_link));
-  }
+  notes.push_back(mission.without_link == "goContinue"
+                      ? std::string("when it loses its controller, the aircraft flies the mission "
+                                    "on (goContinue)")
+                      : fmt::format("what the aircraft does when it loses its controller ({}) is "
+                                    "not looked at",
+                                    mission.without_link));
   return notes;
 }
 
@@ -73,6 +74,22 @@ std::string note_of_stops(const DjiMission& mission) {
       waypoints.size(),
       fmt::join(stops.begin(), stops.begin() + std::min<long>(10, std::ssize(stops)), ", "),
       stops.size() > 10 ? ", …" : "");
+}
+
+// What is not proved of it.
+std::string note_of_link(DjiLostLink lost_link) {
+  switch (lost_link) {
+    case DjiLostLink::go_back:
+      return "when it loses its controller, the aircraft returns at the height that is set in it, "
+             "by "
+             "a way that is not proved (--lost-link continue flies the mission on)";
+    case DjiLostLink::go_on:
+      return "when it loses its controller, the aircraft flies the mission on";
+    case DjiLostLink::land:
+    case DjiLostLink::hover:
+      return "when it loses its controller, the aircraft leaves the mission where it is";
+  }
+  return "";
 }
 
 void turn_everywhere(MissionTask& task, const geom::Polyline& legs) {
@@ -105,6 +122,11 @@ MissionEstimate least_time(const DjiMission& mission, const geom::Polyline& legs
 WrittenMission write(const MissionTask& task, const geom::Polyline& legs) {
   DjiOptions options = task.options.dji;
   options.home = task.ground;
+  options.nose = task.options.placement.heading;
+  if (const auto& stands = task.options.dji.takeoff) {
+    options.takeoff = geom::to_enu(task.frame.axes, *stands);
+    options.home = options.takeoff->z();
+  }
   options.lands = task.options.lands;
   options.speed = task.options.speed ? task.options.speed : speed_limit(task.limits);
   options.turns = task.turns;
@@ -118,7 +140,9 @@ WrittenMission write(const MissionTask& task, const geom::Polyline& legs) {
   write_dji_kmz(text, mission, task.checked ? "skyway" : "skyway (UNCHECKED)");
   WrittenMission written{text.str()};
   written.reading.placement = placement_to_read(task, over);
-  if (task.options.turns) written.note = note_of_stops(mission);
+  written.note = note_of_link(options.lost_link);
+  const std::string stops = task.options.turns ? note_of_stops(mission) : "";
+  if (!stops.empty()) written.note += "; " + stops;
   written.estimates.push_back(least_time(mission, legs));
   return written;
 }
@@ -142,7 +166,9 @@ constinit const MissionFormat kDjiWpml{
                    FileOption::navigation, FileOption::tracking},
     .writes_with = {FileOption::tolerance, FileOption::speed, FileOption::hover, FileOption::ground,
                     FileOption::origin, FileOption::wpml_version, FileOption::aircraft,
-                    FileOption::turns, FileOption::navigation, FileOption::tracking},
+                    FileOption::turns, FileOption::start, FileOption::heading,
+                    FileOption::lost_link, FileOption::gimbal, FileOption::navigation,
+                    FileOption::tracking},
     .has_legs = true,
     .is_binary = true,
     .rounding = kMissionRounding,

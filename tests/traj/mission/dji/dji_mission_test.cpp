@@ -352,6 +352,21 @@ TEST(MakeDjiMission, TurnsWhereItMayAndStopsElsewhere) {
   EXPECT_EQ(damping(6), 0);
 }
 
+TEST(MakeDjiMission, TakesOffWhereTheAircraftStands) {
+  DjiOptions options;
+  options.takeoff = Vec3(-40, 12, 3);
+  options.home = 3;
+  const DjiMission m = make_dji_mission(kPoints, kFrame, options);
+  EXPECT_EQ(m.without_link, "goBack") << "it returns unless it is told otherwise";
+  const FlownDji flown = flown_dji(m, kFrame, {}, "m");
+  ASSERT_EQ(flown.path.size(), kPoints.size() + 1);
+  EXPECT_LT((flown.path[0] - Vec3(-40, 12, kPoints[0].z())).norm(), 6e-4);
+  for (std::size_t i = 0; i < kPoints.size(); ++i) {
+    EXPECT_LT((flown.path[i + 1] - kPoints[i]).norm(), 6e-4) << i;
+  }
+  EXPECT_NEAR(*flown.ends.takeoff_from, 3, 1e-9);
+}
+
 TEST(MakeDjiMission, IsNoFasterThanFifteenMetresASecond) {
   DjiOptions options;
   options.speed = 20;

@@ -80,6 +80,30 @@ TEST(DjiKmz, ReadsBackWhatWasWritten) {
   }
 }
 
+TEST(DjiKmz, SaysWhatALostLinkTheGimbalAndTheNoseDo) {
+  for (const auto& [lost_link, word] : kDjiLostLinkWords) {
+    DjiOptions options;
+    options.lost_link = lost_link;
+    const DjiMission mission = make_dji_mission(kPoints, kFrame, options);
+    EXPECT_EQ(read(kmz_of(mission)).without_link, mission.without_link) << word;
+    EXPECT_EQ(read(kmz_of(mission)).actions, 0u);
+  }
+  DjiOptions options;
+  options.gimbal = -90;
+  options.nose = 270;
+  options.aircraft = {67, 1};
+  const std::string kmz = kmz_of(make_dji_mission(kPoints, kFrame, options));
+  EXPECT_EQ(read(kmz).actions, 1u) << "at the first waypoint alone";
+  for (const char* text :
+       {"<wpml:gimbalPitchRotateAngle>-90<", "<wpml:payloadEnumValue>53<",
+        "<wpml:waypointHeadingAngle>-90<", "<wpml:exitOnRCLost>executeLostAction<",
+        "<wpml:executeRCLostAction>goBack<"}) {
+    const std::size_t first = kmz.find(text);
+    ASSERT_NE(first, std::string::npos) << text;
+    EXPECT_NE(kmz.find(text, first + 1), std::string::npos) << text << " in the other file, too";
+  }
+}
+
 TEST(DjiKmz, HoldsTheTwoFilesOfWpml) {
   const std::string kmz = kmz_of(make_dji_mission(kPoints, kFrame, {}));
   const auto files =

@@ -18,6 +18,7 @@
 
 #include "geom/map/geographic_frame.h"
 #include "geom/shape/polyline.h"
+#include "geom/text/words.h"
 #include "traj/curve/mission_frame.h"
 #include "traj/mission/flown/flown.h"
 
@@ -64,10 +65,21 @@ struct DjiAircraft {
 struct NamedDjiAircraft {
   std::string_view name;
   DjiAircraft aircraft;
+  int camera = 0;  // payloadEnumValue of its own
 };
 inline constexpr NamedDjiAircraft kDjiAircraft[] = {
-    {"m30", {67, 0}}, {"m30t", {67, 1}}, {"m3e", {77, 0}}, {"m3t", {77, 1}},
-    {"m3m", {77, 2}}, {"m3d", {91, 0}},  {"m3td", {91, 1}}};
+    {"m30", {67, 0}, 52}, {"m30t", {67, 1}, 53}, {"m3e", {77, 0}, 66}, {"m3t", {77, 1}, 67},
+    {"m3m", {77, 2}, 68}, {"m3d", {91, 0}, 80},  {"m3td", {91, 1}, 81}};
+
+// What an aircraft does when it loses its controller: exitOnRCLost and executeRCLostAction. It goes
+// on with the mission (goContinue), or leaves it (goBack, landing, hover): that way is not proved.
+enum class DjiLostLink { go_back, go_on, land, hover };
+inline constexpr geom::Words<DjiLostLink, 4> kDjiLostLinkWords{{
+    {DjiLostLink::go_back, "return"},
+    {DjiLostLink::go_on, "continue"},
+    {DjiLostLink::land, "land"},
+    {DjiLostLink::hover, "hover"},
+}};
 
 // The versions of WPML that are written.
 inline constexpr std::string_view kWrittenWpmlVersions[] = {"1.0.2", "1.0.6"};
@@ -82,6 +94,8 @@ struct DjiMission {
   std::optional<double> return_height;         // m above the take-off
   std::optional<geom::GeodeticPlace> takeoff;  // that was planned with; height on the ellipsoid
   std::string without_link;          // what it does when it loses the controller, as the file says
+  std::optional<double> gimbal;      // degrees of pitch from the first waypoint on; 0: level
+  std::optional<double> nose;        // degrees clockwise from north; else along the way
   std::vector<DjiWayline> waylines;  // at least one, flown one after the other
   std::size_t actions = 0;           // of cameras, gimbals and yaw: they move the aircraft nowhere
 };
@@ -92,15 +106,25 @@ inline constexpr double kDjiLeastTurn = 0.2;  // m, of those that are written
 
 // How a mission is laid over a map: what may be asked for.
 struct DjiOptions {
-  double home = 0;              // z of the ground under the first point, m
+  double home = 0;              // z of the ground at the take-off, m
   bool lands = true;            // where the last point is; else it hovers there
   std::vector<double> turns;    // m, one a point: the longest damping of its turn; 0: it stops
   std::optional<double> speed;  // m/s, no more than kDjiFastest is written; absent: 5
   std::string version = "1.0.6";
   DjiAircraft aircraft;
+  std::optional<geom::Vec3> takeoff;  // where it stands before, ENU; else under the first point
+  DjiLostLink lost_link = DjiLostLink::go_back;
+  std::optional<double> gimbal;  // degrees of pitch, kDjiGimbalDown to kDjiGimbalUp
+  std::optional<double> nose;    // degrees clockwise from north; else it looks along its way
 };
 
-// A take-off straight up to the first point, a stop at each, a landing: as the file will hold them,
+// What gimbals of the aircraft that have a name can do, as far as all of them can: degrees.
+inline constexpr double kDjiGimbalDown = -90;
+inline constexpr double kDjiGimbalUp = 30;
+
+// A take-off straight up to the first point's height (to the security height where that is more),
+// level flight to above that point where the take-off is elsewhere, a stop at each point, a
+// landing: as the file will hold them,
 // degrees rounded to 1e-9, heights to millimetres, above the take-off. At least one point, in ENU.
 // Coordinated turns (options.turns may be empty: none) begin at most 0.45 of the shorter leg before
 // their point, and are stops where that is less than kDjiLeastTurn.

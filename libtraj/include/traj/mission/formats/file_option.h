@@ -40,22 +40,24 @@ enum class FileOption {
   wpml_version,
   aircraft,
   turns,
+  lost_link,
+  gimbal,
   show,
   volumes,
   buffer
 };
-inline constexpr std::size_t kFileOptions = 29;
+inline constexpr std::size_t kFileOptions = 31;
 
 // As the tools' options name them, without "--".
 inline constexpr geom::Words<FileOption, kFileOptions> kFileOptionWords{{
-    {FileOption::start, "start"},
+    {FileOption::start, "takeoff-place"},
     {FileOption::takeoff_height, "takeoff-height"},
     {FileOption::heading, "heading"},
     {FileOption::origin, "origin"},
     {FileOption::geoid, "geoid"},
     {FileOption::ground, "ground"},
     {FileOption::return_height, "return-height"},
-    {FileOption::terrain, "terrain"},
+    {FileOption::terrain, "terrain-height"},
     {FileOption::acceptance, "acceptance"},
     {FileOption::braking, "braking"},
     {FileOption::autopilot, "autopilot"},
@@ -74,6 +76,8 @@ inline constexpr geom::Words<FileOption, kFileOptions> kFileOptionWords{{
     {FileOption::wpml_version, "wpml-version"},
     {FileOption::aircraft, "aircraft"},
     {FileOption::turns, "turns"},
+    {FileOption::lost_link, "lost-link"},
+    {FileOption::gimbal, "gimbal"},
     {FileOption::show, "show"},
     {FileOption::volumes, "volumes"},
     {FileOption::buffer, "buffer"},
