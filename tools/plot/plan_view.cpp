@@ -214,6 +214,10 @@ void draw_key(Svg& svg, const Frame& frame, const geom::BoxMap& map,
               std::span<const PlanLine> lines) {
   const double x = frame.left + frame.width + 20;
   draw_heights(svg, x, frame.top + 14, map);
+  if (std::any_of(map.labels().begin(), map.labels().end(), geom::is_keep_out)) {
+    svg.rectangle({x, frame.top + 179}, 18, 9, kZoneStyle);
+    svg.text({x + 28, frame.top + 188}, "keep-out", 12);
+  }
   if (lines.empty()) return;
   double y = frame.top + 204;
   draw_start(svg, {x + 9, y});

@@ -121,9 +121,9 @@ Film::Film(const geom::BoxMap& map, std::vector<Line> lines, const Motion* motio
     map_view_ = with_band(plan_view(bounds, width_, height_ - band), band);
   }
   if (options_.kind == "overview" || options_.kind == "plan") {
-    Vec3 eye = map_view_.eye;
-    if (map_view_.parallel) eye.z() = bounds.max.z() + 10;
-    scene_ = std::make_unique<PictureScene>(map, tubes, unseen_from(map, eye));
+    Vec3 from = map_view_.eye;
+    if (map_view_.parallel) from.z() = bounds.max.z() + 10;
+    scene_ = std::make_unique<PictureScene>(map, tubes, unseen_from(map, from));
   } else {
     scene_ = std::make_unique<PictureScene>(map, tubes);
   }

@@ -274,7 +274,8 @@ TEST(PlanView, LetsTheCityThroughAKeepOutVolume) {
   table.labels = {"", "keep-out: all of it"};
   table.label = {0, 1};
   const std::string svg = plot::plan_view(geom::BoxMap(spec, table), {}, {});
-  EXPECT_EQ(count_of(svg, "fill-opacity=\"0.12\""), 1u);
+  EXPECT_EQ(count_of(svg, "fill-opacity=\"0.12\""), 2u) << "the volume and the key";
+  EXPECT_TRUE(holds(svg, ">keep-out<"));
   EXPECT_LT(svg.find("#00000022"), svg.find("fill-opacity"));
 }
 

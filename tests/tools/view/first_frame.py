@@ -35,11 +35,10 @@ def first_frame(page):
     """CPU seconds, or None where there was no frame in time."""
     with Browser() as browser:
         browser.prefer("light")
-        browser.run("location.href = 'about:blank'")
-        time.sleep(1)
+        time.sleep(1)  # until it has started
         before = cpu_of_children(os.getpid())
         spent = lambda: cpu_of_children(os.getpid()) - before
-        browser.run("location.href = 'file://' + arguments[0]", os.path.abspath(page))
+        browser.open(page)
         while not browser.run("return Boolean(window.skyway && skyway.frames > 0)"):
             if spent() > LONGEST:
                 return None

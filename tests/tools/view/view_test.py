@@ -311,8 +311,8 @@ def shows_detail_near(viewer):
     assert viewer.get("picked") is not None
     assert "Id in the source" in browser.run("return document.getElementById('picked').textContent")
     viewer.picture("large-near")
-    middle = browser.run("const i = skyway.picked, c = stage.boxes.corners; return [c[6 * i + 3] > c[6 * i], c[6 * i + 5] > 0]")
-    assert middle == [True, True]
+    corners = viewer.get("pickedCorners")
+    assert all(low < high for low, high in zip(corners[:3], corners[3:])), corners
 
 
 def unpacks(viewer):
@@ -322,7 +322,7 @@ def unpacks(viewer):
         packer = zlib.compressobj(level, zlib.DEFLATED, -15, 9, kind)
         data = base64.b64encode(packer.compress(plain) + packer.flush()).decode()
         found = viewer.browser.run("const d = Uint8Array.from(atob(arguments[0]), c => c.charCodeAt(0));"
-                                   "return btoa(Array.from(inflated(d, arguments[1]), v => String.fromCharCode(v)).join(''))", data, len(plain))
+                                   "return btoa(Array.from(skyway.unpack(d, arguments[1]), v => String.fromCharCode(v)).join(''))", data, len(plain))
         assert base64.b64decode(found) == plain, (level, kind)
 
 
@@ -386,9 +386,9 @@ def closes_with_stubs(browser, folder, page):
     run("skyway-view", folder / "lab", "--title", "A lab", "-o", page)
     for scheme in ("light", "dark"):
         viewer = Viewer(browser, page, scheme)
-        assert sorted(browser.run("return [...stage.boxes.traits].map(t => t >> 4)")) == [0, 1, 2, 3, 5]
+        assert sorted(t >> 4 for t in viewer.get("boxTraits")) == [0, 1, 2, 3, 5]
         viewer.picture(f"lab-{scheme}")
-    seen = browser.run("return contrastOf(seenColour('#101014'), theme.colour('ground'))")
+    seen = browser.run("return skyway.seenContrast('#101014')")
     assert seen >= 3, seen
 
 

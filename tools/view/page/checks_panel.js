@@ -86,7 +86,7 @@ function checkCard(check) {
 function makeChecksPanel() {
   const order = meta.reports.filter(r => !isOfRefused(r)).sort((a, b) => a.ok - b.ok);
   const failed = order.filter(r => !r.ok).length;
-  return element("div", {}, order.length ? sentence(failed ? ["bad", "✕", `${decimals(failed, 0)} of ${count(order.length, "check")} failed`]
-    : ["good", "✓", order.length === 1 ? "The check passed" : `All ${count(order.length, "check")} passed`]) : null, refusedNote(), order.slice(0, 200).map(checkCard),
+  return element("div", {}, order.length ? sentence(failed ? ["bad", "✕", order.length === 1 ? "The check failed"
+    : `${decimals(failed, 0)} of ${count(order.length, "check")} failed`] : ["good", "✓", order.length === 1 ? "The check passed" : `All ${count(order.length, "check")} passed`]) : null, refusedNote(), order.slice(0, 200).map(checkCard),
   order.length > 200 ? element("p", { class: "soft" }, `and ${decimals(order.length - 200, 0)} more that passed`) : null);
 }

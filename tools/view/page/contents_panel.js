@@ -62,7 +62,7 @@ function summaryWords() {
   if (motions.length > flights) words.push(count(motions.length - flights, "trajectory", "trajectories"));
   if (flights) words.push(count(flights, "flight"));
   const checks = meta.reports.filter(r => !isOfRefused(r)), failed = checks.filter(r => !r.ok).length;
-  if (checks.length) words.push(failed ? `${decimals(failed, 0)} of ${count(checks.length, "check")} failed`
+  if (checks.length) words.push(failed && checks.length === 1 ? "the check failed" : failed ? `${decimals(failed, 0)} of ${count(checks.length, "check")} failed`
     : `${count(checks.length, "check")} passed`);
   if (together && together.check) words.push(!together.check.refused ? `${count(together.check.pairs, "pair")} proved apart`
     : `${decimals(together.check.refused, 0)} of ${count(together.check.pairs, "pair")} not proved apart`);

@@ -52,6 +52,10 @@ function exposeState() {
     pair: () => selection.pair && { ids: selection.pair.of.map(i => motions[i].id), time: selection.pair.time,
       distance: selection.pair.distance, now: stage.pairLine.distance },
     buildings: () => (stage.boxes ? stage.boxes.buildings : 0), seen: () => seesVehicle(),
+    boxTraits: () => (stage.boxes ? [...stage.boxes.traits] : []),
+    pickedCorners: () => (stage.picked && stage.picked.index !== null
+      ? [...stage.boxes.corners.subarray(6 * stage.picked.index, 6 * stage.picked.index + 6)] : null),
+    unpack: () => inflated, seenContrast: () => css => contrastOf(seenColour(css), theme.colour("ground")),
     drawn: () => (stage.boxes ? stage.boxes.parts.map(part => part.count) : []),  // boxes themselves, and blocks for afar
     drawCalls: () => info().calls, triangles: () => info().triangles, frames: () => stage.frames,
     frameMs: () => stage.frameMs,
