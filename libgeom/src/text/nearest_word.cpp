@@ -59,6 +59,9 @@ std::optional<std::string> nearest_word(std::string_view word, std::span<const s
   const std::string meant = letters(word);
   if (meant.empty()) return std::nullopt;
   for (const std::string& one : known) {
+    if (letters(one) == meant) return one;
+  }
+  for (const std::string& one : known) {
     if (meant.size() > 1 && has_part(one, meant)) return one;
   }
   const std::string* best = nullptr;

@@ -52,6 +52,8 @@ TEST(NearestWord, IsFirstOneThatHasItBetweenHyphens) {
   EXPECT_EQ(nearest_word("wpml", known), "dji-wpml");
   EXPECT_EQ(nearest_word("plan", known), "qgc-plan");
   EXPECT_EQ(nearest_word("wp", known), "wpl");
+  const std::vector<std::string> methods = {"informed-rrt-star", "rrt"};
+  EXPECT_EQ(nearest_word("RRT", methods), "rrt") << "the whole word before a part";
 }
 
 TEST(NearestWord, IsElseTheShortestThatItBegins) {

@@ -144,8 +144,8 @@ def check_zsh(script, tool, verbs, flags):
 
 
 def of_one_kind(word):
-    """The word for a value without what is optional: LAT,LON of LAT,LON[,HEIGHT]|auto."""
-    return re.sub(r"\[.*?\]", "", word).split("|")[0]
+    """The word for a value without what is optional, and for one of several: LAT,LON of LAT,LON[,HEIGHT]|auto."""
+    return re.sub(r"\[.*?\]| \.\.\.$", "", word).split("|")[0]
 
 
 def check_one_meaning():

@@ -6,8 +6,8 @@
 #include <array>
 
 #include "cli/answer/exit.h"
-#include "cli/file/drone_formats.h"
-#include "cli/file/own_formats.h"
+#include "traj/files/drone_formats.h"
+#include "traj/files/own_formats.h"
 #include "cli/option/numbers_option.h"
 #include "cli/option/placement_option.h"
 #include "geom/base/error.h"
@@ -92,12 +92,12 @@ void DroneFileOptions::settle(InputFile& file) {
   const geom::Format* own = nullptr;
   const geom::Format* drone = nullptr;
   file.head_until([&](std::string_view head) {
-    own = geom::recognise(head, own_formats());
-    drone = own ? nullptr : geom::recognise(head, drone_formats());
+    own = geom::recognise(head, traj::files::own_formats());
+    drone = own ? nullptr : geom::recognise(head, traj::files::drone_formats());
     return own || drone;
   });
-  if (own == &kFlightLog) format = kFlightLogWord;
-  if (own == &kTrajectories || own == &kPaths) format.clear();
+  if (own == &traj::files::kFlightLog) format = kFlightLogWord;
+  if (own == &traj::files::kTrajectories || own == &traj::files::kPaths) format.clear();
   if (drone) format = kAuto;
 }
 

@@ -18,8 +18,8 @@ namespace geom {
 // `b` of `a`; a letter is touched once only (Damerau and Levenshtein, optimal string alignment).
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-// The one of `known` that `word` is nearest to: the first that has it between its hyphens ("wpml" of
-// "dji-wpml"), else at most two edits away, and fewer than `word` has letters, or the shortest that
+// The one of `known` that `word` is nearest to: the same in other case, else the first that has it
+// between its hyphens ("wpml" of "dji-wpml"), else at most two edits away, and fewer than `word` has letters, or the shortest that
 // `word` begins. Case does not count, nor do blanks, '-' and '_'. The
 // first of equals; nothing where none is near.
 std::optional<std::string> nearest_word(std::string_view word, std::span<const std::string> known);
