@@ -173,7 +173,7 @@ std::string accepted_in_words(const ReportRecord& report) {
 std::string place_advice(const ReportRecord& report) {
   const CheckResult& result = report.result;
   if (result.reason == Reason::bounds) {
-    return "stay inside, or make the map with wider bounds (--ceiling, --pad or --bounds)";
+    return "stay inside, or make the bounds wider (skyway-map bounds)";
   }
   if (!result.strayed.empty()) {
     return fmt::format("keep {:g} m more room there, or fly slower",
