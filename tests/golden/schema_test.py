@@ -97,3 +97,11 @@ for kind in ("report", "trajectory", "path", "certificate"):
             changed = record | {"vehicle": record["vehicle"] | {"limits": limits | wrong}}
             assert not known[kind].is_valid(changed), (kind, wrong)
 print({kind: len(some) for kind, some in count.items()})
+
+asked = known["query"]
+for line in (source / "data/samples/queries.jsonl").read_text().splitlines():
+    assert asked.is_valid(json.loads(line)), line
+for place in ([1, 2, 3], "60.1719N,24.9414E,30", "60.1719N,24.9414E,2above"):
+    assert asked.is_valid({"from": place, "to": [4, 5, 6]}), place
+for place in ([1, 2], "60.1719N,24.9414E", 7):
+    assert not asked.is_valid({"from": [4, 5, 6], "to": place}), place

@@ -20,7 +20,7 @@ ANY = {"--help", "--version", "--threads", "--progress", "--stats", "--quiet", "
 
 # A value that is not the default and suits the samples; None: a flag.
 VALUES = {
-    "--mode": "objects", "--cell": "0.7", "--step": "0.7", "--gap": "0.7", "--classes": "ground", "--noise-points": "drop",
+    "--mode": "objects", "--cell": "0.7", "--step": "0.7", "--gap": "0.7", "--classes": "ground", "--noise-points": "drop", "--ground-points": "drop",
     "--outliers": "4,1", "--voxel": "0.3", "--resolution": "0.5", "--ground": "5", "--ground-by": "shape", "--ground-cell": "3",
     "--ground-slope": "0.3", "--ground-height": "0.7", "--ground-step": "2", "--ground-widest": "90", "--tolerance": "0.4",
     "--min-points": "2", "--unknown": "blocked", "--units": "ft", "--vertical-units": "ft", "--origin": "37.79,-122.39,5",
@@ -30,7 +30,7 @@ VALUES = {
     "--default-height": "17", "--where": "1 = 0", "--height-step": "3", "--height-units": "ft", "--axes": "north-east",
      "--margin": "0.25", "--spare": "0.05", "--takeoff-place": "5,30,0", "--geoid": "57",
     "--takeoff-height": "2", "--heading": "40", "--acceptance": "5", "--braking": "1", "--return-height": "50",
-    "--terrain-height": "3", "--autopilot": "px4", "--params": "p.params", "--drag": "0.3", "--navigation": "0.2,0.2",
+    "--terrain-height": "3", "--terrain": data / "surface.tif", "--autopilot": "px4", "--params": "p.params", "--drag": "0.3", "--navigation": "0.2,0.2",
     "--tracking": "0.2,0.2", "--departure": "12", "--epoch": "2026-05-04T06:30:00Z", "--vmax": "7", "--amax": "4", "--jmax": "5",
     "--vmax-h": "6", "--vmax-v": "3", "--tilt": "20", "--thrust": "12", "--body-rate": "90", "--yaw-rate": "50",
     "--exact": None, "--no-clearance": None, "--together": None, "--separation": "9,4", "--separation-box": "3,3,3",
@@ -38,8 +38,8 @@ VALUES = {
     "--aircraft": "m30", "--lost-link": "continue", "--gimbal": "-45", "--label-by": "object", "--turns": "3", "--volumes": "3", "--buffer": "2", "--python": "x.py", "--table": "x.csv",
 }
 # Where the same word means another thing.
-OF_TOOL = {"skyway-check": {"--vmax": "1", "--amax": "2"}, "skyway-cloud": {"--ground-points": "drop", "--origin": "37.79,-122.39"},
-           "skyway-footprints": {"--origin": "37.79,-122.39", "--terrain": data / "surface.tif"},
+OF_TOOL = {"skyway-check": {"--vmax": "1", "--amax": "2"}, "skyway-cloud": {"--origin": "37.79,-122.39"},
+           "skyway-footprints": {"--origin": "37.79,-122.39"},
            "skyway-import-trajectory": {"--gap": "0.01"}, "skyway-export": {"--axes": "ned", "--tolerance": "0.05",
                              "--navigation": "50,50", "--tracking": "50,50"}}
 # Used, and no other value comes out of these small samples.

@@ -27,7 +27,8 @@ struct MakeMapOptions {
   std::optional<double> ceiling;      // upper z
   // Metres around the bounding box of the obstacles, sideways and upward; absent: 0.
   std::optional<double> pad;
-  // Metres above the highest obstacle, in place of `pad`: for sources that tell where obstacles end.
+  // Metres above the highest obstacle, in place of `pad`: for sources that tell where obstacles
+  // end.
   std::optional<double> headroom;
   // Obstacles that hang less than this above the floor, in metres, are let down to it. Unless said:
   // what the source's format asks for (ImportedBoxes), and else 0.

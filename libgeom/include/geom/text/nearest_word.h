@@ -19,9 +19,9 @@ namespace geom {
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
 // The one of `known` that `word` is nearest to: the same in other case, else the first that has it
-// between its hyphens ("wpml" of "dji-wpml"), else at most two edits away, and fewer than `word` has letters, or the shortest that
-// `word` begins. Case does not count, nor do blanks, '-' and '_'. The
-// first of equals; nothing where none is near.
+// between its hyphens ("wpml" of "dji-wpml"), else at most two edits away, and fewer than `word`
+// has letters, or the shortest that `word` begins. Case does not count, nor do blanks, '-' and '_'.
+// The first of equals; nothing where none is near.
 std::optional<std::string> nearest_word(std::string_view word, std::span<const std::string> known);
 
 // What to add to a refusal of `word`: "; did you mean plan?", or nothing.

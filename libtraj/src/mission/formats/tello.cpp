@@ -229,7 +229,8 @@ TelloStart start_of(const Placement& placement, const Vec3& enu_ground) {
 ReadFlights read(std::istream& in, const ReadTask& task) {
   if (!task.how.start) {
     throw geom::UsageError(
-        "a Tello script does not say where it starts: give --takeoff-place x,y,z, the place where the "
+        "a Tello script does not say where it starts: give --takeoff-place x,y,z, the place where "
+        "the "
         "drone stands");
   }
   const TelloFlight flight = read_tello(in, task.source);
