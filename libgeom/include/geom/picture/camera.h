@@ -38,6 +38,7 @@ struct Camera {
 // absent. Throws InputError where a value cannot be.
 Camera parse_camera(const JsonFields& fields);
 
+// What the camera sees of the world while the vehicle is there.
 View view_from(const Camera& camera, const Pose& pose);
 
 }  // namespace geom::picture

@@ -45,10 +45,12 @@ using Block = std::array<Hit, kBlock * kBlock>;
 
 // Immutable once built; threads may cast at once. The ground is the plane at the lower bound of
 // the map. Single precision decides which surface is first, relative to the middle of the map; the
-// depth of a box or the ground is then computed in double.
+// depth of a box or the ground is then computed in double. So a ray that passes an edge within a
+// thousandth of a pixel may count to either side of it.
 class PictureScene {
  public:
-  // Boxes for which `unseen` is true, where it says something, meet no ray.
+  // Boxes for which `unseen` is true, where it says something, meet no ray. Throws std::bad_alloc
+  // where memory ran out, std::runtime_error where Embree could not build its tree.
   PictureScene(const BoxMap& map, std::span<const Tubes> tubes,
                const std::vector<bool>& unseen = {});
   ~PictureScene();

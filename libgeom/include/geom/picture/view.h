@@ -65,7 +65,7 @@ View enlarged(const View& view, int n);
 // Pixel and depth of a point; only with a depth > 0 is it in front of a perspective view.
 Vec3 project(const View& view, const Vec3& point);
 
-// From above, north up: all of `region` in the middle of the picture.
+// From above, north up and parallel: all of `region`, ENU, in the middle of the picture.
 View plan_view(const Aabb& region, int width, int height);
 
 // In perspective from outside: all corners of `region` in the picture. Radians: `azimuth` is the
