@@ -5,9 +5,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "render/camera/camera.h"
-#include "render/image/image_file.h"
-#include "render/scene/take.h"
+#include "geom/picture/camera.h"
+#include "geom/picture/image_file.h"
+#include "geom/picture/take.h"
 #include "support/city.h"
 #include "support/random_city.h"
 
@@ -21,23 +21,23 @@ const geom::BoxMap& city() {
   return map;
 }
 
-const render::PictureScene& scene() {
-  static const render::PictureScene one(city(), {});
+const geom::picture::PictureScene& scene() {
+  static const geom::picture::PictureScene one(city(), {});
   return one;
 }
 
-const render::Shader& shader() {
-  static const render::Shader one(scene(), render::look_of(city()), {}, false);
+const geom::picture::Shader& shader() {
+  static const geom::picture::Shader one(scene(), geom::picture::look_of(city()), {}, false);
   return one;
 }
 
 // Level or nearly so, 5 to 60 m up, not inside a box.
-std::vector<render::View> views() {
+std::vector<geom::picture::View> views() {
   support::Random random(1);
   const auto [low, high] = geom::to_enu(city().spec().frame.axes, city().spec().bounds);
-  std::vector<render::View> out;
+  std::vector<geom::picture::View> out;
   while (out.size() < kViews) {
-    render::Pose pose;
+    geom::picture::Pose pose;
     pose.position = {random.uniform(low.x(), high.x()), random.uniform(low.y(), high.y()),
                      random.uniform(5, 60)};
     pose.attitude = (Eigen::AngleAxisd(random.uniform(-3.1, 3.1), geom::Vec3::UnitZ()) *
@@ -45,22 +45,23 @@ std::vector<render::View> views() {
                         .toRotationMatrix();
     const auto near = [&](const geom::Aabb& box) { return distance(pose.position, box) < 2; };
     if (std::any_of(scene().boxes().begin(), scene().boxes().end(), near)) continue;
-    out.push_back(render::view_from({}, pose));
+    out.push_back(geom::picture::view_from({}, pose));
   }
   return out;
 }
 
-void frames(benchmark::State& state, const render::Wanted& wanted, bool video) {
+void frames(benchmark::State& state, const geom::picture::Wanted& wanted, bool video) {
   const auto all = views();
   const geom::Execution run{static_cast<unsigned>(state.range(0)), {}};
   shader();
   std::size_t at = 0;
   for (auto _ : state) {
-    const std::span<const render::View> batch(all.data() + at, kBatch);
-    const auto pictures = render::take_pictures(scene(), shader(), batch, wanted, run);
+    const std::span<const geom::picture::View> batch(all.data() + at, kBatch);
+    const auto pictures = geom::picture::take_pictures(scene(), shader(), batch, wanted, run);
     at = (at + kBatch) % kViews;
     if (!video) continue;
-    for (const auto& picture : pictures) benchmark::DoNotOptimize(render::y4m_frame(picture));
+    for (const auto& picture : pictures)
+      benchmark::DoNotOptimize(geom::picture::y4m_frame(picture));
   }
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * kBatch));
 }

@@ -39,7 +39,7 @@ geom::Aabb with_room(geom::Aabb bounds) {
 }
 
 // What the eye of a vehicle sees moves by: never wider than streets are.
-GroundGrid grid_for_eye(const GroundGrid& grid) {
+GridLines grid_for_eye(const GridLines& grid) {
   return {std::min(grid.cell, 100.0), std::min(grid.fine, 10.0)};
 }
 
@@ -100,9 +100,9 @@ Film::Film(const geom::BoxMap& map, std::vector<Line> lines, const Motion* motio
     : options_(options), motion_(motion), lines_(std::move(lines)) {
   const geom::Aabb bounds = enu_bounds(map);
   const bool combined = options_.kind == "combined";
-  const bool eye = options_.kind == "first-person" || combined;
-  width_ = eye ? options_.camera.width + (combined ? kSide : 0) : options_.width;
-  height_ = eye ? options_.camera.height + (combined ? kCharts : 0) : options_.height;
+  const bool through_eye = options_.kind == "first-person" || combined;
+  width_ = through_eye ? options_.camera.width + (combined ? kSide : 0) : options_.width;
+  height_ = through_eye ? options_.camera.height + (combined ? kCharts : 0) : options_.height;
   geom::Aabb shown = bounds;
   std::vector<Tubes> tubes;
   if (options_.kind == "overview") {
@@ -129,7 +129,7 @@ Film::Film(const geom::BoxMap& map, std::vector<Line> lines, const Motion* motio
   }
   Look look = look_of(map);
   if (options_.kind != "first-person") take_map(map, look, shown, tubes.empty(), run);
-  look.grid = grid_for_eye(ground_grid(bounds));
+  look.grid = grid_for_eye(grid_lines(bounds));
   shader_ = std::make_unique<Shader>(*scene_, look, options_.light, false);
 }
 
@@ -140,7 +140,7 @@ void Film::take_map(const geom::BoxMap& map, Look look, const geom::Aabb& shown,
   if (above) map_view_.eye.z() = bounds.max.z() + 10;
   Light light = options_.light;
   light.haze = 0;
-  look.grid = ground_grid(shown);
+  look.grid = grid_lines(shown);
   const Shader shader(*scene_, look, light, true);
   const Wanted wanted =
       options_.kind == "combined" ? Wanted{true, false, false, 3} : options_.wanted;

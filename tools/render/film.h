@@ -9,7 +9,7 @@
 
 #include "render/drawing/drawn.h"
 #include "render/drawing/strip_chart.h"
-#include "render/scene/take.h"
+#include "render/picture_names.h"
 
 namespace render {
 

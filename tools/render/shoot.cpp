@@ -5,10 +5,9 @@
 #include <ctime>
 
 #include "geom/base/parallel.h"
-#include "render/camera/camera_poses.h"
 #include "render/image/frame_output.h"
-#include "render/image/image_file.h"
 #include "render/image/png_image.h"
+#include "render/picture_names.h"
 
 namespace render {
 namespace {

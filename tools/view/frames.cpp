@@ -45,7 +45,7 @@ std::size_t Frames::bytes() const {
 
 Frames read_frames(const FrameFiles& files) {
   cli::InputFile file(files.poses);
-  const auto poses = render::read_camera_poses(file.stream(), file.name());
+  const auto poses = geom::picture::read_camera_poses(file.stream(), file.name());
   if (poses.size() > 1 && !render::is_numbered(files.names)) {
     throw cli::UsageError(
         fmt::format("--frames: expected a name with a number for {} frames, as "
@@ -54,7 +54,7 @@ Frames read_frames(const FrameFiles& files) {
   }
   Frames out{file.name(), 0, 0, {}};
   std::size_t bytes = 0;
-  for (const render::CameraPose& pose : poses) {
+  for (const geom::picture::CameraPose& pose : poses) {
     const std::string name = render::numbered(files.names, out.list.size());
     out.list.push_back({pose, read_picture(name, out)});
     bytes += out.list.back().webp.size();

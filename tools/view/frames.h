@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "render/camera/camera_poses.h"
+#include "geom/picture/camera_poses.h"
 
 namespace view {
 
@@ -15,7 +15,7 @@ struct FrameFiles {
 };
 
 struct Frame {
-  render::CameraPose pose;
+  geom::picture::CameraPose pose;
   std::string webp;
 };
 

@@ -6,7 +6,7 @@
 
 #include "geom/base/error.h"
 #include "layers.h"
-#include "render/camera/motion.h"
+#include "render/motion.h"
 
 namespace view {
 namespace {

@@ -1,4 +1,4 @@
-// What makes a picture a map: the grid, windows, the bar of the scale.
+// What makes a picture a map: the grid, the marks, the bar of the scale.
 
 #include "render/drawing/map_key.h"
 
@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "render/drawing/drawn.h"
-#include "render/scene/windows.h"
 #include "support/random_city.h"
 
 namespace {
@@ -19,55 +18,10 @@ using geom::Aabb;
 using render::Colour;
 using render::Picture;
 
-TEST(RoundLength, IsOneTwoOrFiveTimesAPowerOfTen) {
-  const std::vector<std::pair<double, double>> cases = {{1, 1}, {1.9, 1},     {2, 2},      {4.9, 2},
-                                                        {5, 5}, {999.9, 500}, {1000, 1000}};
-  for (const auto& [length, round] : cases) {
-    EXPECT_NEAR(render::round_length(length), round, 1e-9) << length;
-  }
-  EXPECT_NEAR(render::round_length(0.05), 0.05, 1e-12);
-}
-
-TEST(GroundGrid, HasSixToFifteenCellsOnAnyMap) {
-  for (double side = 3.5; side < 20000; side *= 1.17) {
-    const auto grid = render::ground_grid({{0, 0, 0}, {side, side / 3, 10}});
-    EXPECT_GE(side / grid.cell, 6 - 1e-9) << side;
-    EXPECT_LE(side / grid.cell, 15 + 1e-9) << side;
-    EXPECT_DOUBLE_EQ(grid.fine, grid.cell / 10);
-  }
-}
-
 TEST(LengthWords, SayMetresAndKilometres) {
   EXPECT_EQ(render::length_words(250), "250 m");
   EXPECT_EQ(render::length_words(2000), "2 km");
   EXPECT_EQ(render::length_words(0.05), "0.05 m");
-}
-
-TEST(NamesNoBuilding, GoesByWords) {
-  for (const char* label : {"tree", "Trees", "natural=tree", "SolitaryVegetationObject",
-                            "lamp post", "255 0 0", "keep-out", "wall_3"}) {
-    EXPECT_TRUE(render::names_no_building(label)) << label;
-  }
-  for (const char* label : {"", "building", "Main Street 5", "BuildingPart", "Woodward tower"}) {
-    EXPECT_FALSE(render::names_no_building(label)) << label;
-  }
-}
-
-TEST(Windows, AreOnBuildingsAndTheirTowersNotOnTreesAndPoles) {
-  geom::BoxMapSpec spec;
-  spec.bounds = {{0, 0, 0}, {100, 100, 50}};
-  const std::vector<Aabb> boxes = {{{0, 0, 0}, {20, 20, 10}},       // a building,
-                                   {{5, 5, 10}, {15, 15, 40}},      // its tower,
-                                   {{40, 40, 0}, {40.5, 40.5, 4}},  // a trunk
-                                   {{37, 37, 4}, {43, 43, 12}},     // and its crown,
-                                   {{60, 60, 0}, {70, 70, 2}},      // something low,
-                                   {{80, 80, 20}, {90, 90, 30}}};   // and what hangs on nothing
-  const geom::BoxMap map(spec, support::table_of(boxes));
-  const std::vector<bool> windows = render::windows_of(map);
-  for (std::size_t i = 0; i < map.size(); ++i) {
-    const std::uint64_t id = map.ids()[i];
-    EXPECT_EQ(windows[i], id == 1 || id == 2 || id == 6) << "box " << id;
-  }
 }
 
 // The bar of a plan: as long as it says, in the picture's pixels.
@@ -75,7 +29,7 @@ TEST(MapKey, TheBarIsAsLongAsItSays) {
   const Aabb ground{{0, 0, 0}, {1000, 1000, 50}};
   const render::View view = render::plan_view(ground, 960, 960);
   Picture picture{960, 960, std::vector<Colour>(960 * 960, Colour{90, 90, 90}), {}, {}};
-  render::draw_map_key(picture, view, {ground, render::ground_grid(ground), false});
+  render::draw_map_key(picture, view, {ground, render::grid_lines(ground), false});
   int longest = 0;  // run of dark pixels
   for (int y = 800; y < 960; ++y) {
     int run = 0;
@@ -93,7 +47,7 @@ TEST(MapKey, StandsInItsBandAndLeavesTheMap) {
   EXPECT_GT(band, 0);
   Picture picture{960, 960, std::vector<Colour>(960 * 960, Colour{90, 90, 90}), {}, {}};
   render::draw_map_key(picture, render::plan_view(ground, 960, 960 - band),
-                       {ground, render::ground_grid(ground), true});
+                       {ground, render::grid_lines(ground), true});
   const auto grey = std::find_if(picture.colour.begin(), picture.colour.end(), [](const Colour& c) {
     return c != Colour{90, 90, 90};
   });
@@ -131,7 +85,7 @@ TEST(MapKey, IsLeftOutOfASmallPicture) {
   Picture picture{200, 150, std::vector<Colour>(200 * 150, Colour{90, 90, 90}), {}, {}};
   const Picture before = picture;
   render::draw_map_key(picture, render::plan_view(ground, 200, 150),
-                       {ground, render::ground_grid(ground), true});
+                       {ground, render::grid_lines(ground), true});
   EXPECT_EQ(picture.colour, before.colour);
 }
 

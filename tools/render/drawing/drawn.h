@@ -8,8 +8,8 @@
 
 #include "canvas.h"
 #include "cli/content/contents.h"
-#include "render/camera/motion.h"
-#include "render/scene/embree_picture.h"
+#include "render/motion.h"
+#include "render/picture_names.h"
 
 namespace render {
 

@@ -6,14 +6,13 @@
 #include <string>
 
 #include "canvas.h"
-#include "render/camera/view.h"
-#include "render/scene/ground_grid.h"
+#include "render/picture_names.h"
 
 namespace render {
 
 struct MapKey {
   geom::Aabb ground;  // ENU: the map's bounds, or what of them is shown
-  GroundGrid grid;
+  GridLines grid;
   bool ways = false;  // there are starts and goals
 };
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "render/image/picture.h"
+#include "render/picture_names.h"
 
 namespace render {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "picture.h"
+#include "render/picture_names.h"
 
 namespace render {
 
