@@ -57,7 +57,8 @@ struct Options {
 
 void Options::add_to(CLI::App& app) {
   app.add_option("map", map, "box map; - for stdin")->required();
-  app.add_option("file", input, "trajectories or paths, JSON Lines (default: stdin)");
+  app.add_option("file", input,
+                 "trajectories, paths, a drone file or a flight log (default: stdin)");
   report.add_to(app);
   vehicle.add_to(app);
   vehicle.add_memory_to(app);

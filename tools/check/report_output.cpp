@@ -11,8 +11,8 @@ void ReportOutput::add_to(CLI::App& app) {
   app_ = &app;
   cli::add_output(app, "-o,--output", file_, "reports (default: stdout)");
   app.add_option("--report", form_,
-                 "text: a sentence for one record, a table for several; json: a line for each "
-                 "(default, but on a terminal)")
+                 "how reports are written; text: a sentence for one record, a table for several; "
+                 "json: a line for each (default, but on a terminal)")
       ->check(CLI::IsMember({"text", "json"}));
 }
 

@@ -70,9 +70,10 @@ void DroneFileOptions::add_to(CLI::App& parser) {
   words.emplace_back(kFlightLogWord);
   words.emplace_back(kRecordsWord);
   parser
-      .add_option("--file-format", format,
-                  "what FILE is: records, or a drone file, to be checked as it will be flown; auto "
-                  "(default): found out from its beginning")
+      .add_option(
+          "--file-format", format,
+          "records, or a drone file to be checked as it will be flown; auto (default): found "
+          "out from its beginning")
       ->check(CLI::IsMember(words));
   parser.add_flag_callback(
       "--paths-csv", [this] { format = traj::kPathsCsv.format.word; },
@@ -137,10 +138,8 @@ std::vector<traj::FileFlight> read_drone_file(const std::string& text, const std
                                               const DroneFileOptions& options,
                                               const geom::Frame& frame) {
   if (text.starts_with("id,t_s,")) {
-    throw geom::InputError(
-        source,
-        {.says =
-             "this is a flight log: skyway-check holds it against a map"});
+    throw geom::InputError(source,
+                           {.says = "this is a flight log: skyway-check holds it against a map"});
   }
   const traj::MissionFormat* const named = traj::mission_format_named(options.format);
   const traj::MissionFormat& format = named ? *named : traj::recognised_mission_format(text);
