@@ -214,16 +214,16 @@ TEST(Formats, AreSettledAsWhatTheyAre) {
   for (const auto& [what, sample] : kSamples) {
     std::ofstream(path, std::ios::binary) << sample;
     const Format* const format = recognise(sample);
-    for (const char* asked : {"", kAuto, kRecordsWord, "wpl"}) {
-      DroneFileOptions options{.format = asked};
-      InputFile file(path);
+    for (const char* asked : {"", cli::kAuto, cli::kRecordsWord, "wpl"}) {
+      cli::DroneFileOptions options{.format = asked};
+      cli::InputFile file(path);
       options.settle(file);
-      const bool open = asked == std::string_view("") || asked == std::string_view(kAuto);
-      const std::string settled = is_drone_format(format)                         ? kAuto
-                                  : format == &kFlightLog                         ? kFlightLogWord
+      const bool open = asked == std::string_view("") || asked == std::string_view(cli::kAuto);
+      const std::string settled = is_drone_format(format) ? cli::kAuto
+                                  : format == &kFlightLog ? cli::kFlightLogWord
                                   : format == &kPaths || format == &kTrajectories ? ""
                                                                                   : asked;
-      const std::string insisted = asked == std::string_view(kRecordsWord) ? "" : asked;
+      const std::string insisted = asked == std::string_view(cli::kRecordsWord) ? "" : asked;
       EXPECT_EQ(options.format, open ? settled : insisted) << what << ", asked: " << asked;
       EXPECT_EQ(file.read_all(), sample) << "the beginning stays to be read";
     }

@@ -110,7 +110,7 @@ TEST_F(Verdict, SaysOfAnAcceptedRecordHowClearItIs) {
 }
 
 TEST_F(Verdict, DoesNotRoundAValueToItsLimit) {
-  ReportRecord fast = refused(Reason::speed, 8.00001);
+  ReportRecord fast = refused(broken(Limit::speed), 8.00001);
   fast.limits[Limit::speed] = 8;
   EXPECT_TRUE(said(fast).starts_with("the speed is 8.00001 m/s, above its limit of 8 m/s"));
   fast.result.worst = 8.7654321;
@@ -118,7 +118,7 @@ TEST_F(Verdict, DoesNotRoundAValueToItsLimit) {
 }
 
 TEST_F(Verdict, NamesAPlaceOnlyWhereThatTellsWhereToLook) {
-  EXPECT_EQ(said(refused(Reason::jerk_not_measured)).find("near"), npos);
+  EXPECT_EQ(said(refused(unmeasured(Limit::jerk))).find("near"), npos);
   EXPECT_EQ(said(refused(Reason::duration_bound)).find("near"), npos);
   EXPECT_EQ(said(refused(Reason::return_home, 0)).find("near"), npos);
   EXPECT_NE(said(refused(Reason::return_home, 2)).find("near"), npos);
