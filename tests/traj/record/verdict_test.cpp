@@ -64,7 +64,7 @@ TEST_F(Verdict, CountsLegsOfAPathAndItemsOfAMission) {
 }
 
 TEST_F(Verdict, SaysWhatALimitIsBesideWhatWasFound) {
-  ReportRecord fast = refused(Reason::speed, 9);
+  ReportRecord fast = refused(broken(Limit::speed), 9);
   fast.limits[Limit::speed] = 8;
   EXPECT_TRUE(said(fast).starts_with("the speed is 9 m/s, above its limit of 8 m/s")) << said(fast);
   EXPECT_NE(said(fast).find("--vmax"), npos) << said(fast);
