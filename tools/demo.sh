@@ -35,7 +35,7 @@ step "proof" 'printf "ok: %s, clearance: %.3f m" "$(grep -o "\"ok\":[a-z]*" "$ou
   skyway-check -q "$map" "$out/trajectory.jsonl" -o "$out/report.jsonl"
 step "simulated flight" 'printf "clear: %s, tracking error: %.3f m mean" "$(grep -o "\"clear\":[a-z]*" "$out/flown.jsonl" | cut -d: -f2)" "$(number mean "$out/flown.jsonl")"' \
   skyway-fly -q "$map" "$out/trajectory.jsonl" --vehicle "$here/data/vehicles/quad2kg.json" -o "$out/flight.csv" \
-  --report "$out/flown.jsonl"
+  --report-file "$out/flown.jsonl"
 step "Crazyflie polynomials" 'echo "segments: $(($(wc -l < "$out/crazyflie.csv") - 1))"' \
   skyway-export -q "$map" "$out/trajectory.jsonl" --format crazyflie -o "$out/crazyflie.csv"
 step "plan view" 'echo "$out/plan.svg"' skyway-plot -q plan "$map" "$out/path.jsonl" -o "$out/plan.svg"

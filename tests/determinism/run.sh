@@ -20,9 +20,9 @@ for threads in 1 2 7; do
   skyway-render -q map trajectories.$threads --rate 0.2 --shadows --threads $threads -o video.$threads.y4m
   skyway-check map trajectories.$threads -o reports.$threads || [ $? -eq 1 ]
   skyway-fleet trajectories.$threads --separation 12,4 --parked gone --improve 5 --threads $threads -q -o fleet.$threads \
-    --report delays.$threads || [ $? -eq 1 ]
+    --report-file delays.$threads || [ $? -eq 1 ]
   skyway-fly trajectories.$threads --vehicle "$vehicle" --wind 3,1,0 --gusts 3 --noise 0.01,0.05,0.5,1 --mass-error 0.1 \
-    --runs 9 --log-rate 10 --threads $threads -o log.$threads --report flights.$threads || [ $? -eq 1 ]
+    --runs 9 --log-rate 10 --threads $threads -o log.$threads --report-file flights.$threads || [ $? -eq 1 ]
 done
 for kind in lattice paths replanned trajectories reports fleet delays log flights; do
   cmp $kind.1 $kind.2
@@ -50,13 +50,13 @@ fly=(skyway-fly trajectories.1 --vehicle "$vehicle" --wind 3,1,0 --gusts 3 --noi
   --log-rate 10)
 sharded log "${fly[@]}"
 for k in 1 2 3; do "${fly[@]}" --runs 9 --shard "$k/3" -q -o "runs.$k"; done
-"${fly[@]}" --runs 9 --join runs.{3,1,2} -q -o log.joined --report flights.joined || [ $? -eq 1 ]
+"${fly[@]}" --runs 9 --join runs.{3,1,2} -q -o log.joined --report-file flights.joined || [ $? -eq 1 ]
 cmp log.joined log.1
 cmp flights.joined flights.1
 sharded reports skyway-check map trajectories.1
 fleet=(skyway-fleet trajectories.1 --separation 12,4 --parked gone --improve 5)
 for k in 1 2 3; do "${fleet[@]}" --shard "$k/3" -q -o "departures.$k"; done
-"${fleet[@]}" --join departures.{2,3,1} -q -o fleet.joined --report delays.joined || [ $? -eq 1 ]
+"${fleet[@]}" --join departures.{2,3,1} -q -o fleet.joined --report-file delays.joined || [ $? -eq 1 ]
 cmp fleet.joined fleet.1
 cmp delays.joined delays.1
 [ "$(grep -c '"ok":true' reports.1)" -ge 5 ]

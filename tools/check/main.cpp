@@ -342,6 +342,7 @@ int main(int argc, char** argv) {
                             options.flights.plan(), options.flights.tube(),
                             options.together.moving().file()});
     refuse_together(options, sharding.asked());
+    const geom::BoxMap map = cli::open_map(options.map, geom::Verified::contents);
     cli::InputFile file(options.input);
     options.drone_file.settle(file);
     options.refuse_idle(app);
@@ -354,7 +355,6 @@ int main(int argc, char** argv) {
                    {{"output", options.report.file()},
                     {"certificate", options.certificate},
                     {"profile", options.profile.file()}});
-    const geom::BoxMap map = cli::open_map(options.map, geom::Verified::contents);
     if (const auto done = sharding.finished(common)) return *done;
     using Differences = cli::Scenes::Differences;
     cli::Scenes scenes(

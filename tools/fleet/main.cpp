@@ -55,7 +55,7 @@ struct Options {
 void Options::add_to(CLI::App& app) {
   app.add_option("file", input, "trajectories, JSON Lines (default: stdin)");
   cli::add_output(app, "-o,--output", output, "the same with their departures (default: stdout)");
-  cli::add_output(app, "--report", report, "delays, and who was refused for whom, JSON");
+  cli::add_output(app, "--report-file", report, "delays, and who was refused for whom, JSON");
   app.add_option(
       "--map", map,
       "box map, whose boxes with times flights keep clear of; the flights must be proved "
@@ -95,7 +95,7 @@ void Options::refuse_idle(const CLI::App& app, bool shard) const {
   }
   cli::at_most_one_stdin(input, beside);
   if (shard && !report.empty()) {
-    throw cli::UsageError("a shard has no output but -o: give --report later, with --join");
+    throw cli::UsageError("a shard has no output but -o: give --report-file later, with --join");
   }
 }
 

@@ -44,11 +44,11 @@ void check_usage(const fly::Options& options, const Inputs& inputs, const cli::S
     throw cli::UsageError("--clear-tube needs a map and --runs");
   }
   if (options.tune && (options.runs > 0 || !report.empty())) {
-    throw cli::UsageError("--tune writes gains: it takes neither --runs nor --report");
+    throw cli::UsageError("--tune writes gains: it takes neither --runs nor --report-file");
   }
   if (options.runs > 0 && sharding.asked() && !report.empty()) {
     throw cli::UsageError(
-        "a shard of --runs has no output but -o: give --report later, with --join");
+        "a shard of --runs has no output but -o: give --report-file later, with --join");
   }
   if (options.runs > 0 && std::abs(options.mass_error) >= 1) {
     throw cli::UsageError("--mass-error must be below 1 with --runs");
@@ -99,7 +99,7 @@ class Flights {
   Flights(const std::string& output, const std::string& report, const cli::Sharding& sharding,
           const traj::Airframe& airframe, const geom::BoxMap* map)
       : out_(output, "output", sharding), airframe_(airframe), map_(map) {
-    if (!report.empty()) told_.emplace(report, "report", sharding);
+    if (!report.empty()) told_.emplace(report, "report-file", sharding);
     std::ostringstream head;
     traj::write_flight_log_header(head);
     out_.head(head.str());
@@ -176,7 +176,7 @@ int main(int argc, char** argv) {
       ->expected(0, 2);
   cli::add_output(app, "-o,--output", output,
                   "flight log, CSV; with --tune gains (default: stdout)");
-  cli::add_output(app, "--report", report, "reports of the flights, JSON Lines");
+  cli::add_output(app, "--report-file", report, "reports of the flights, JSON Lines");
   vehicle.add_to(app);
   vehicle.add_memory_to(app);
   options.add_to(app);
@@ -193,7 +193,7 @@ int main(int argc, char** argv) {
     if (vehicle.word.empty())
       throw cli::UsageError("no vehicle: give --vehicle, such as tello or FILE.json");
     sharding.begin(app, {{"map", inputs.map}, {"trajectories", inputs.trajectories}},
-                   {{"output", output}, {"report", report}});
+                   {{"output", output}, {"report-file", report}});
     std::optional<geom::BoxMap> map;
     if (!inputs.map.empty()) {
       map = cli::open_map(inputs.map, geom::Verified::contents, common.execution("verify"));

@@ -169,9 +169,12 @@ TEST(Planner, SaysThatAnEndIsOutside) {
   const auto scene = tower();
   const PlanResult start = planned(scene, {0.5, 5, 5}, {38, 20, 5});
   EXPECT_EQ(start.status, PathStatus::start_outside);
-  EXPECT_EQ(start.message,
-            "start (0.5, 5, 5) is outside the bounds: the vehicle box with margin 0 m may be from "
-            "(1, 1, 1) to (39, 39, 39); the nearest free point is (1.03, 5, 5), 0.530 m away");
+  EXPECT_EQ(
+      start.message,
+      "start (0.5, 5, 5) is outside the bounds: 0.5 m beyond x = 0; the vehicle box with margin "
+      "0 m may be from (1, 1, 1) to (39, 39, 39); the nearest free point is (1.03, 5, 5), 0.530 "
+      "m away; if nothing stands there, skyway-map bounds MAP --bounds=-1,0,0,40,40,40 makes a "
+      "map that reaches there");
   EXPECT_EQ(planned(scene, {2, 20, 5}, {1e6, 0, 0}).status, PathStatus::goal_outside);
   EXPECT_NE(planned(scene, {2, 20, 5}, {1e6, 0, 0}).message.find("(38.97, 1.03, 1.03), 999961"),
             std::string::npos);

@@ -125,7 +125,7 @@ with tempfile.TemporaryDirectory() as folder:
                           ["skyway-export", box_map, file("r.jsonl"), "--format", "crazyflie", "-o", file("e.csv")],
                           ["skyway-export", box_map, file("r.jsonl"), "--format", "gltf", "-o", file("e.glb")],
                           ["skyway-fly", file("r.jsonl"), "--vehicle", os.path.join(source_dir, "data/vehicles/quad2kg.json"),
-                           "--report", file("f.jsonl"), "-o", file("f.csv")]):
+                           "--report-file", file("f.jsonl"), "-o", file("f.csv")]):
             done = tool(*arguments)
             count += 1
             if arguments[0] == "skyway-fly" and done.returncode < 2:

@@ -68,7 +68,7 @@ def the_chain_keeps_the_limits():
     run("skyway-traj city replanned -o trajectory")  # needs no --vmax
     run("skyway-check city trajectory --certificate certificate -o report")
     run("skyway-traj city path --shard 1/2 -o one; skyway-traj city path --shard 2/2 -o two; skyway-join two one -o joined")
-    run("skyway-fly city trajectory --vehicle $QUAD -o log --report flight", exits=(0, 1))
+    run("skyway-fly city trajectory --vehicle $QUAD -o log --report-file flight", exits=(0, 1))
     run("skyway-traj city path --solver ipopt --corridor-file corridor -o optimised", exits=(0, 1))
     for name in ("path", "replanned", "trajectory", "report", "certificate", "joined", "flight", "corridor"):
         record = records(pathlib.Path(name).read_text())[0]

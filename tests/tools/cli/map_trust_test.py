@@ -135,7 +135,7 @@ class Case:
             "check --exact": ["skyway-check", self.map, self.path, *VEHICLE, "--exact"],
             "check --certificate": ["skyway-check", self.map, self.path, *VEHICLE, "--certificate", self.folder / "why"],
             "export": ["skyway-export", self.map, self.trajectory, *VEHICLE, "--format", "setpoints", *out],
-            "fly": ["skyway-fly", self.map, self.trajectory, *PROFILE, *out, "--report", self.folder / "report"],
+            "fly": ["skyway-fly", self.map, self.trajectory, *PROFILE, *out, "--report-file", self.folder / "report"],
             "map crop": ["skyway-map", "crop", self.map, "--bounds=-1e4,-1e4,-1e4,1e4,1e4,1e4", *out],
             "map join": ["skyway-map", "join", self.map, self.map, *out],
             "map merge": ["skyway-map", "merge", self.map, *out],

@@ -56,8 +56,8 @@ SIDE = {
     "skyway-check": ["--certificate", "--profile", "--stats"],
     "skyway-plan": ["--tree", "--stats"],
     "skyway-traj": ["--corridor-file", "--stats"],
-    "skyway-fleet": ["--report", "--stats"],
-    "skyway-fly": ["--report", "--stats"],
+    "skyway-fleet": ["--report-file", "--stats"],
+    "skyway-fly": ["--report-file", "--stats"],
     "skyway-render": ["--depth", "--ids", "--stats"],
 }
 INPUT = {"skyway-synth": None}  # the input that an output may not be; by default the first file named

@@ -33,7 +33,7 @@ VALUES = {
     "--terrain-height": "3", "--terrain": data / "surface.tif", "--autopilot": "px4", "--params": "p.params", "--drag": "0.3", "--navigation": "0.2,0.2",
     "--tracking": "0.2,0.2", "--departure": "12", "--epoch": "2026-05-04T06:30:00Z", "--vmax": "7", "--amax": "4", "--jmax": "5",
     "--vmax-h": "6", "--vmax-v": "3", "--tilt": "20", "--thrust": "12", "--body-rate": "90", "--yaw-rate": "50",
-    "--exact": None, "--no-clearance": None, "--together": None, "--separation": "9,4", "--separation-box": "3,3,3",
+    "--report": "text", "--exact": None, "--no-clearance": None, "--together": None, "--separation": "9,4", "--separation-box": "3,3,3",
     "--downwash": "1,2", "--parked": "gone", "--rate": "20", "--speed": "0.7", "--hover": None, "--wpml-version": "1.0.2",
     "--aircraft": "m30", "--lost-link": "continue", "--gimbal": "-45", "--label-by": "object", "--turns": "3", "--volumes": "3", "--buffer": "2", "--python": "x.py", "--table": "x.csv",
 }

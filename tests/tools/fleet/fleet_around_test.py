@@ -102,7 +102,7 @@ def check_fleet(seed):
     write("own.jsonl", own), write("others.jsonl", others), write("boxes.jsonl", boxes)
     rule = ("--separation", f"{ACROSS},{UP}", "--parked", parked)
     command = ("own.jsonl", *rule, "--others", "others.jsonl", "--moving", "boxes.jsonl", "--improve", "3", "--max-delay", "60")
-    tool("skyway-fleet", *command, "--threads", "1", "-o", "out.jsonl", "--report", "report.json", codes=(0, 1))
+    tool("skyway-fleet", *command, "--threads", "1", "-o", "out.jsonl", "--report-file", "report.json", codes=(0, 1))
     tool("skyway-fleet", *command, "--threads", "7", "-o", "again.jsonl", codes=(0, 1))
     for k in (1, 2, 3):
         tool("skyway-fleet", *command, "--shard", f"{k}/3", "-o", f"{k}.shard")
@@ -120,7 +120,7 @@ def check_fleet(seed):
         for b in others[i + 1:]:
             assert not meet(at[a["id"]], at[b["id"]]) or [a["id"], b["id"]] in near, (seed, a["id"], b["id"])
     assert report["ok"] == (not report["refused"])  # whatever others are among themselves
-    tool("skyway-fleet", *command, "--drop-refused", "-o", "left.jsonl", "--report", "left.json", codes=(0,) if departing else (1,))
+    tool("skyway-fleet", *command, "--drop-refused", "-o", "left.jsonl", "--report-file", "left.json", codes=(0,) if departing else (1,))
     left = read("left.json")[0]
     assert read("left.jsonl") == departing and left["ok"] == bool(departing), seed
     assert left["dropped"] == [r["id"] for r in out if r["status"] != "solved"], seed

@@ -22,7 +22,7 @@ def fleet(records, ways=None, code=0):
             file.write("".join(json.dumps(line) + "\n" for line in lines))
     options = ["--alternatives", "ways.jsonl"] if ways else []
     done = subprocess.run([os.path.join(bin_dir, "skyway-fleet"), "in.jsonl", *options, "--separation", "2,2", "-o", "out.jsonl",
-                           "--report", "report.json"], capture_output=True, text=True)
+                           "--report-file", "report.json"], capture_output=True, text=True)
     assert done.returncode == code, (done.returncode, done.stderr)
     if code:
         return done.stderr, None

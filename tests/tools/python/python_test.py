@@ -248,7 +248,7 @@ def test_exports_are_those_of_the_tool(out, scene):
             assert ours["message"] in in_python(done.stderr) and ours["reason"] and len(ours["place"]) == 3, (form, ours)
     assert skyway.export_mission(scene, trajectories[0], "crazyflie")["ok"]
     message = raises(skyway.UsageError, skyway.export_mission, scene, trajectories[0], "kml", origin=(47, 8, 0), heading=3.0)
-    assert message.startswith("heading is only for tello files"), message
+    assert message.startswith("heading is only for tello, dji-wpml files"), message
     assert "expected one of crazyflie" in raises(skyway.UsageError, skyway.export_mission, scene, trajectories[0], "paths-csv")
     raises(TypeError, skyway.export_mission, scene, trajectories[0], "kml", colour="red")
     raises(skyway.UsageError, skyway.export_mission, scene, trajectories[0], "setpoints", rate=-1.0)
@@ -416,7 +416,7 @@ def prepare(out):
     tool("skyway-traj", "-q", city, f"{out}/path.jsonl", "--vmax", "8", "--amax", "6", "-o", f"{out}/trajectory.jsonl")
     tool("skyway-check", "-q", city, f"{out}/trajectory.jsonl", "-o", f"{out}/report.jsonl")
     tool("skyway-fly", "-q", f"{out}/trajectory.jsonl", "--vehicle", source_dir / "data/vehicles/quad2kg.json", "-o",
-         f"{out}/flight.csv", "--report", f"{out}/flown.jsonl")
+         f"{out}/flight.csv", "--report-file", f"{out}/flown.jsonl")
     random = numpy.random.default_rng(3)
     queries = [{"id": f"q{i}", "from": [*random.uniform(-400, 400, 2), 12], "to": [*random.uniform(-400, 400, 2), 9]}
                for i in range(8)]

@@ -133,8 +133,8 @@ def calls():
     """A right call of everything that takes arguments: (callable, arguments by name)."""
     points, segments = [[1.0, 1, 1]], [[1.0, 1, 1, 2, 1, 1]]
     yield skyway.BoxMap, dict(boxes=[[0, 0, 0, 1, 1, 1]], bounds=[[0, 0, 0], [9, 9, 9]], frame="enu", ids=[7], labels=["a"],
-                              origin=(47, 8, 400), pad=0.0, seal=0.0, inflate=0.0, tile=100.0)
-    yield skyway.BoxMap, dict(boxes=[[0, 0, 0, 1, 1, 1]], floor=0.0, ceiling=9.0)
+                              origin=(47, 8, 400), seal=0.0, inflate=0.0, tile=100.0)
+    yield skyway.BoxMap, dict(boxes=[[0, 0, 0, 1, 1, 1]], floor=0.0, ceiling=9.0, pad=1.0)
     yield skyway.Path, dict(points=points, id="a", hold=[1.0], velocity=[[0.0, 0, 0]])
     yield skyway.Path.from_json, dict(line=PATH.to_json())
     yield skyway.Trajectory, dict(durations=[1.0], points=numpy.zeros((1, 8, 3)), yaw=numpy.zeros((1, 8)), id="a",

@@ -30,7 +30,7 @@ constexpr Group kGroups[] = {
      "--noise-points --unknown --allow-skipped --collisions-only import-trajectory--gap=METRES "
      "--resolution=METRES --scale=FACTOR --all --verify --join"},
     {"Output",
-     "-o --output check--report=WORD --report --json --degrees --profile --profile-step=LENGTH --junit --certificate "
+     "-o --output check--report=WORD --report-file --json --degrees --profile --profile-step=LENGTH --junit --certificate "
      "--tree --corridor-file --python --table --show --unchecked --no-clearance --resample=METRES "
      "export--rate=HERTZ export--axes --wpml-version --aircraft --hover --turns=METRES --lost-link "
      "--gimbal=DEGREES "

@@ -30,14 +30,14 @@ constexpr Page kPages[] = {
      "--format --id --output --speed --show --unchecked --vehicle --margin --origin "
      "--ground --separation"},
     {"skyway-fleet",
-     "skyway-fleet data/samples/trajectories.jsonl --separation 20,8 -o fleet.jsonl --report "
+     "skyway-fleet data/samples/trajectories.jsonl --separation 20,8 -o fleet.jsonl --report-file "
      "delays.json",
-     "--map --moving --others --alternatives --output --report --vehicle --separation "
+     "--map --moving --others --alternatives --output --report-file --vehicle --separation "
      "--parked --max-delay --threads"},
     {"skyway-fly",
      "skyway-import data/downtown.csv | skyway-fly - data/samples/trajectories.jsonl --vehicle "
      "quad2kg --wind 2,0,0 -o flight.csv",
-     "--output --report --clear-tube --vehicle --margin --wind --gusts --noise --controller "
+     "--output --report-file --clear-tube --vehicle --margin --wind --gusts --noise --controller "
      "--gains "
      "--runs --tune --seed --threads"},
     {"skyway-footprints", "skyway-footprints data/samples/blocks.geojson -o blocks.boxmap",

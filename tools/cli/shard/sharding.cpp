@@ -16,8 +16,8 @@ namespace cli {
 namespace {
 
 // Options that change no byte of what a shard holds, but where it goes and how long it takes.
-constexpr std::array<std::string_view, 8> kIdle = {"output", "report", "threads", "progress",
-                                                   "stats",  "quiet",  "shard",   "join"};
+constexpr std::array<std::string_view, 9> kIdle = {
+    "output", "report", "report-file", "threads", "progress", "stats", "quiet", "shard", "join"};
 
 geom::Shard parse_shard(const std::string& word) {
   geom::Shard shard;

@@ -83,7 +83,7 @@ merged() {
 departures() {
   local name=$1
   answer skyway-fleet "$2" "${timed[@]}" "${others[@]}" --separation 32,7.62 --parked gone \
-    --max-delay "$3" --improve "$improve" -q --stats "$name.stats.json" --report "$name.report.json" -o "$name.jsonl"
+    --max-delay "$3" --improve "$improve" -q --stats "$name.stats.json" --report-file "$name.report.json" -o "$name.jsonl"
 }
 # Where some have no departure in time, all choose once more, and those that had none may wait longer.
 rounds() {

@@ -31,7 +31,7 @@ class BoxMap(Native):
     def __init__(self, boxes: ArrayLike, *, bounds: Optional[ArrayLike] = None, frame: str = "enu",
                  ids: Optional[ArrayLike] = None, labels: Optional[Sequence[str]] = None,
                  origin: Optional[Sequence[float]] = None, floor: Optional[float] = None,
-                 ceiling: Optional[float] = None, pad: float = 0.0, seal: float = 0.0, inflate: float = 0.0,
+                 ceiling: Optional[float] = None, pad: Optional[float] = None, seal: float = 0.0, inflate: float = 0.0,
                  tile: float = 100.0) -> None:
         rows = array("boxes", boxes, (None, 6))
         wrong = numpy.flatnonzero((rows[:, :3] > rows[:, 3:]).any(axis=1))
