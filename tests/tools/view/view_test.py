@@ -514,7 +514,8 @@ def sets_refused_apart(browser, folder, page):
     """Flights that were refused before are no failure of those that fly: a sentence in green, and they beside it."""
     flights = [json.loads(line) for line in (folder / "fleet.flights").read_text().splitlines()]
     above = [{**f, "id": f"g{i}", "start": 60 + 600 * i} for i, f in enumerate(flights[:3])]
-    refused = [{"type": "trajectory", "id": f"r{i}", "status": "infeasible", "message": "no way out", "segments": []} for i in range(2)]
+    refused = [{"type": "trajectory", "id": f"r{i}", "status": "infeasible", "message": "no way out", "segments": [],
+                "epoch": flights[0]["epoch"]} for i in range(2)]
     (folder / "calm").write_text("".join(json.dumps(r) + "\n" for r in above + refused))
     run("skyway-check", "-q", folder / "houses", folder / "calm", "--together", "--separation", "10,5", "--parked", "gone",
         "-o", folder / "calm.report", yes=False)
