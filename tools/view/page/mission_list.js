@@ -3,8 +3,9 @@
 const listedMissions = 1000;
 
 function verdictOf(mission) {
-  if (!mission.checks.length) return null;
-  const ok = mission.checks.every(c => c.ok);
+  const checks = mission.checks.filter(c => !isOfRefused(c));
+  if (!checks.length) return null;
+  const ok = checks.every(c => c.ok);
   return element("span", { class: ok ? "good" : "bad", title: ok ? "passed the check against the map" : "failed the check against the map" }, ok ? "✓" : "✕");
 }
 
