@@ -61,28 +61,37 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS
   "libgdal-dev, libbz2-dev, libpcl-dev, libproj-dev, libassimp-dev, libdraco-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 
+# Each of the three has a part of the Python module, too.
+set(skyway_part_depends "")
+if(SKYWAY_PYTHON)
+  set(skyway_part_depends python3)
+endif()
+
 if(SKYWAY_FOOTPRINTS)
   list(APPEND CPACK_COMPONENTS_ALL footprints)
   skyway_package(footprints skyway-footprints science "building footprints to Skyway box maps
 Reads GeoJSON, GeoPackage, Shapefile, FlatGeobuf, OpenStreetMap, CityJSON and
 height models, and makes box maps of them for the tools of the package skyway.")
   set(CPACK_DEBIAN_FOOTPRINTS_PACKAGE_RECOMMENDS skyway)
+  set(CPACK_DEBIAN_FOOTPRINTS_PACKAGE_DEPENDS "${skyway_part_depends}")
 endif()
 
 if(SKYWAY_CLOUD)
   list(APPEND CPACK_COMPONENTS_ALL cloud)
   skyway_package(cloud skyway-cloud science "point clouds to Skyway box maps
-Reads PCD, PLY, LAS, LAZ and XYZ point clouds, and makes box maps of them for the
-tools of the package skyway.")
+Reads PCD, PLY, LAS, LAZ and XYZ point clouds, and makes box maps of them for
+the tools of the package skyway.")
   set(CPACK_DEBIAN_CLOUD_PACKAGE_RECOMMENDS skyway)
+  set(CPACK_DEBIAN_CLOUD_PACKAGE_DEPENDS "${skyway_part_depends}")
 endif()
 
 if(SKYWAY_MESH)
   list(APPEND CPACK_COMPONENTS_ALL mesh)
   skyway_package(mesh skyway-mesh science "models of triangles to Skyway box maps
-Reads OBJ, PLY, STL, glTF, COLLADA, 3DS and 3D Tiles, and makes box maps of them for
-the tools of the package skyway.")
+Reads OBJ, PLY, STL, glTF, COLLADA, 3DS and 3D Tiles, and makes box maps of
+them for the tools of the package skyway.")
   set(CPACK_DEBIAN_MESH_PACKAGE_RECOMMENDS skyway)
+  set(CPACK_DEBIAN_MESH_PACKAGE_DEPENDS "${skyway_part_depends}")
 endif()
 
 if(SKYWAY_PYTHON)
