@@ -6,19 +6,6 @@
 
 namespace checking {
 
-Checker::Checker(const cli::Common& common, cli::Scenes& scenes, ProfileFile& profile,
-                 Together& together, const Rules& rules)
-    : common_(common),
-      scenes_(scenes),
-      profile_(profile),
-      together_(together),
-      rules_(rules),
-      record_rules_{.asked = rules.limits,
-                    .override_record = rules.override_record,
-                    .exact = rules.exact,
-                    .stands = together.parks(),
-                    .clearance = rules.clearance} {}
-
 traj::ReportRecord Checker::trajectory(const traj::TrajectoryRecord& record,
                                        const std::string& source, std::size_t line) const {
   if (record.status != traj::TrajectoryStatus::solved) {
@@ -28,7 +15,7 @@ traj::ReportRecord Checker::trajectory(const traj::TrajectoryRecord& record,
   const auto& scene = scenes_.scene_for(record.provenance, source, line);
   rules_.metres.check_input(scene.map().spec().frame, record.trajectory, source, line);
   together_.add(record, &scene, source, line);
-  const auto report = traj::check_record(scene, record, record_rules_, source, line);
+  const auto report = traj::check_record(scene, record, rules_.record, source, line);
   profile_.add(record.id, scene, record.trajectory, report.result.duration);
   return report;
 }
@@ -39,7 +26,7 @@ traj::ReportRecord Checker::path(const geom::PathRecord& record, const std::stri
   if (record.status != geom::PathStatus::found) return traj::unsolved_report(record);
   const auto& scene = scenes_.scene_for(record.provenance, source, line);
   rules_.metres.check_input(scene.map().spec().frame, record.points, source, line);
-  const auto report = traj::check_record(scene, record, record_rules_, source, line);
+  const auto report = traj::check_record(scene, record, rules_.record, source, line);
   profile_.add(record.id, scene, record.points);
   return report;
 }
@@ -51,7 +38,7 @@ traj::ReportRecord Checker::flown(const traj::FileFlight& file) const {
   if (!file.format->is_flown) {
     rules_.metres.check_input(scene.map().spec().frame, legs->path, file.id, 0);
   }
-  const auto report = traj::check_record(scene, file, *rules_.flier, record_rules_);
+  const auto report = traj::check_record(scene, file, *rules_.flier, rules_.record);
   if (!legs) {
     profile_.add(file.id, scene, traj::trajectory_of(file.flown), report.result.duration);
   } else if (const auto way = traj::whole_way(scene, *legs)) {

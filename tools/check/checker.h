@@ -18,12 +18,9 @@
 namespace checking {
 
 struct Rules {
-  traj::Limits limits;                 // by the options
-  bool override_record = false;        // the options may be looser than what a record carries
-  bool exact = false;                  // check once more in exact numbers
-  const traj::Flier* flier = nullptr;  // of drone files
-  traj::Clearance clearance = traj::Clearance::measured;  // in the reports
-  cli::MetresOption metres = cli::MetresOption();         // whether records may be degrees
+  traj::RecordRules record;
+  const traj::Flier* flier = nullptr;              // of drone files
+  cli::MetresOption metres = cli::MetresOption();  // whether records may be degrees
 };
 
 class Checker {
@@ -31,7 +28,8 @@ class Checker {
   // All must outlive this. The profile takes the clearance of what is checked, where it is open,
   // and `together` the trajectories, where it was asked for.
   Checker(const cli::Common& common, cli::Scenes& scenes, ProfileFile& profile, Together& together,
-          const Rules& rules);
+          const Rules& rules)
+      : common_(common), scenes_(scenes), profile_(profile), together_(together), rules_(rules) {}
 
   using Answer = std::function<void(const traj::ReportRecord&)>;
   // Answers what the shard takes of the file, in order. Returns how much is in the file.
@@ -52,7 +50,6 @@ class Checker {
   ProfileFile& profile_;
   Together& together_;
   Rules rules_;
-  traj::RecordRules record_rules_;
 };
 
 }  // namespace checking

@@ -45,12 +45,14 @@ struct Options {
   bool flight_log() const { return drone_file.is_flight_log(); }
   void add_to(CLI::App& app);
   void refuse_idle(const CLI::App& app) const;
+  bool decides_exactly() const { return exact || !certificate.empty(); }
   checking::Rules rules() const {
-    return {limits.limits(),
-            override_record,
-            exact || !certificate.empty(),
+    return {{.asked = limits.limits(),
+             .override_record = override_record,
+             .exact = decides_exactly(),
+             .stands = together.parks(),
+             .clearance = no_clearance ? traj::Clearance::left_out : traj::Clearance::measured},
             &drone_file.autopilot.flier,
-            no_clearance ? traj::Clearance::left_out : traj::Clearance::measured,
             metres};
   }
 };
@@ -382,11 +384,12 @@ int main(int argc, char** argv) {
                                        {"failed", reports.failed()},
                                        {"dropped", reports.dropped().size()}};
     if (options.together.asked()) {
-      verdicts["pairs"] = check_together(common, options.together, options.rules().exact, reports);
+      verdicts["pairs"] =
+          check_together(common, options.together, options.decides_exactly(), reports);
     }
     if (moving) {
       verdicts["moving"] =
-          check_moving(common, *moving, options.together, options.rules().exact, reports);
+          check_moving(common, *moving, options.together, options.decides_exactly(), reports);
     }
     const cli::Exit exit = reports.commit(total);
     if (reports.tells()) {
