@@ -104,6 +104,11 @@ cli::Exit FlightLogs::check(const cli::Common& common, const std::string& input,
                    : batch.add_failed(reason, log.id + ": " + traj::in_words(judged, map));
     report.is_text() ? table.add(judged, map) : out.add(traj::to_json_line(judged, map));
   }
+  for (const std::string& id : check.plans_without(logs)) {
+    if (!rule_.clearance && !rule_.sampled) break;  // nothing is accepted
+    ++refused;
+    batch.add_failed("no_log", id + ": --plan has this flight, and no log has it");
+  }
   const cli::Exit exit = refused > 0 ? cli::Exit::no : cli::Exit::yes;
   if (report.is_text()) out.add(table.text(report.colour()));
   out.commit(logs.size(), exit);

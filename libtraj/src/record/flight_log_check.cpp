@@ -12,9 +12,10 @@
 namespace traj {
 namespace {
 
+constexpr double kHair = 1e-6;  // seconds, or of a period, for rounding
+
 // A tube of a shorter flight says nothing of the rest.
 void require_whole(const TubeRecord& tube, const Trajectory& plan, const geom::JsonFields& fields) {
-  constexpr double kHair = 1e-6;  // of a period, for rounding
   const double periods = duration(plan) / tube.period;
   const auto has = static_cast<double>(tube.radius.size());
   if (has >= periods - kHair) return;
@@ -83,7 +84,17 @@ SampledReport FlightLogCheck::judge(const FlightLog& log, const geom::CollisionS
   const TubeRecord tube = plan->tube.value_or(TubeRecord{{}, 1});
   report.plan = flown_tube(plan->record.trajectory, tube.radius, tube.period, points, times);
   report.tube = plan->tube.has_value();
+  report.short_of_plan = times.back() - times.front() < duration(plan->record.trajectory) - kHair;
   return report;
+}
+
+std::vector<std::string> FlightLogCheck::plans_without(std::span<const FlightLog> logs) const {
+  std::vector<std::string> out;
+  for (const Plan& plan : plans_) {
+    const auto is_of_plan = [&](const FlightLog& log) { return plan_of(log.id) == &plan; };
+    if (std::none_of(logs.begin(), logs.end(), is_of_plan)) out.push_back(plan.record.id);
+  }
+  return out;
 }
 
 }  // namespace traj

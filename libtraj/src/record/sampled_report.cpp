@@ -29,7 +29,7 @@ std::string_view reason_of(const SampledReport& report, const geom::BoxMap& map)
   const std::optional<double>& asked = report.rule.clearance;
   if (found != "sampled") return found;
   if (!asked && !report.rule.sampled) return "sampled";
-  if (report.cut) return "cut";
+  if (report.cut || report.short_of_plan) return "cut";
   if (!asked || map.size() == 0) return "";
   if (!result.clearance) return "clearance_not_measured";
   return result.clearance->value >= *asked ? "" : "clearance";

@@ -359,6 +359,11 @@ std::string in_words(const SampledReport& report, const geom::BoxMap& map) {
   const std::string sampled = sampled_in_words(report);
   if (reason.empty()) return sampled;
   if (verdict(report.result) != "sampled") return touch_in_words(report, map);
+  if (reason == "cut" && !report.cut) {
+    return "the log is shorter than its plan, so it does not hold the whole flight; until its "
+           "end, " +
+           sampled;
+  }
   if (reason == "cut") {
     return "the log broke off, so what followed is not known; until then, " + sampled;
   }

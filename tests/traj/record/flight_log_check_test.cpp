@@ -54,6 +54,24 @@ TEST(FlightLogCheck, HoldsALogAgainstThePlanOfItsId) {
   EXPECT_NEAR(report.plan->furthest.value, 3, 1e-9);
 }
 
+TEST(FlightLogCheck, AcceptsNoLogThatIsShorterThanItsPlan) {
+  FlightLogCheck check({.sampled = true});
+  check.add_plan(plan("a", 1));
+  check.add_plan(plan("b", 1.01));
+  EXPECT_EQ(reason_of(check.judge(log("a"), scene()), scene().map()), "");
+  const SampledReport cut = check.judge(log("b"), scene());
+  EXPECT_EQ(reason_of(cut, scene().map()), "cut");
+  EXPECT_NE(in_words(cut, scene().map()).find("shorter than its plan"), std::string::npos);
+}
+
+TEST(FlightLogCheck, NamesPlansThatNoLogIsOf) {
+  FlightLogCheck check;
+  check.add_plan(plan("a", 1));
+  check.add_plan(plan("b", 1));
+  const std::vector<FlightLog> logs = {log("b"), log("other")};
+  EXPECT_EQ(check.plans_without(logs), std::vector<std::string>{"a"});
+}
+
 TEST(FlightLogCheck, LeavesOutPlansWithoutATrajectory) {
   FlightLogCheck check;
   TrajectoryRecord none = plan("a", 1);

@@ -11,6 +11,7 @@
 
 #include <istream>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,9 @@ class FlightLogCheck {
 
   // The map and vehicle that a log is of, as far as it and its plan say.
   geom::Provenance made_for(const FlightLog& log) const;
+
+  // Ids of the plans that no log is of.
+  std::vector<std::string> plans_without(std::span<const FlightLog> logs) const;
 
   SampledReport judge(const FlightLog& log, const geom::CollisionScene& scene) const;
 

@@ -35,6 +35,8 @@ struct SampledReport {
   SampledFlight result;
   std::size_t samples = 0;
   bool cut = false;  // the log broke off
+  // The log lasts a shorter time than its plan, so that it cannot hold the whole flight.
+  bool short_of_plan = false;
   std::optional<FlownTube> plan;
   bool tube = false;  // whether the plan came with one
   geom::Provenance provenance;
@@ -43,8 +45,8 @@ struct SampledReport {
 
 // Why a log on `map` is refused; empty where its rule accepts it. A touch is always refused:
 // "collision", "bounds"; so is a "gap" of more than kLongestGap. Without a rule the rest is
-// "sampled". With one, "cut" is a log that broke off; "clearance" one that came nearer than asked,
-// "clearance_not_measured" one that was never in the air.
+// "sampled". With one, "cut" is a log that broke off or is shorter than its plan; "clearance" one
+// that came nearer than asked, "clearance_not_measured" one that was never in the air.
 std::string_view reason_of(const SampledReport& report, const geom::BoxMap& map);
 
 // Ends with a newline. "ok" only where the rule accepts it; "verdict" then says what was looked at:
