@@ -63,7 +63,7 @@ traj::FlightLogCheck FlightLogs::read_plans(const geom::BoxMap& map,
 
 namespace {
 
-// What is not known of a log before it is looked at.
+// Warns of what a log does not say.
 void warn_of(const traj::FlightLog& log, const traj::FlightLogCheck& check,
              const cli::Common& common) {
   const std::string id = geom::excerpt(log.id);

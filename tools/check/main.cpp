@@ -281,8 +281,8 @@ nlohmann::ordered_json check_moving(const cli::Common& common, const traj::Movin
   return verdict;
 }
 
-// Where flights alone and flights together came out apart: "records: 4 of 1000 failed and are left
-// out; pairs: 0 of 495510 refused".
+// Says the verdict on single records and the verdict on pairs in one line: "records: 4 of 1000
+// failed and are left out; pairs: 0 of 495510 refused".
 void tell_verdicts(const cli::Common& common, const nlohmann::ordered_json& verdicts) {
   const bool together = verdicts.contains("pairs") || verdicts.contains("moving");
   if (verdicts["failed"] == 0 || verdicts["records"] == 1 ||
@@ -300,33 +300,87 @@ void tell_verdicts(const cli::Common& common, const nlohmann::ordered_json& verd
   cli::tell(common, "skyway-check", said);
 }
 
-// What does not go together.
+// Throws UsageError for an option that one shard cannot answer.
 void refuse_together(const Options& options, bool shard) {
   if (shard && options.together.asked()) {
     throw cli::UsageError(
-        "--together holds each flight against each, and a shard holds some: leave --shard or "
-        "--together out");
+        "--together compares every pair of flights, and a shard has only some of them: leave "
+        "--shard "
+        "or --together out");
   }
   if (shard && options.together.moving().asked()) {
     throw cli::UsageError(
-        "--moving says how all flights came out, and a shard holds some: leave --shard or "
-        "--moving out");
+        "--moving gives one verdict on all flights, and a shard has only some of them: leave "
+        "--shard "
+        "or --moving out");
   }
   if (shard && !options.junit.empty()) {
     throw cli::UsageError(
-        "--junit says how all records came out, and a shard holds some: leave "
-        "--shard or --junit out");
+        "--junit lists all records, and a shard has only some of them: leave --shard or --junit "
+        "out");
   }
   if (shard && options.drop_refused) {
     throw cli::UsageError(
-        "--drop-refused says of all records how the others came out, and a shard holds some: leave "
-        "--shard or --drop-refused out");
+        "--drop-refused gives one verdict on all records that are left, and a shard has only some "
+        "of "
+        "them: leave --shard or --drop-refused out");
   }
   if (shard && options.report.asks_for_text()) {
     throw cli::UsageError(
-        "--report text tells of all records, and a shard holds some: leave --shard or --report "
-        "text out");
+        "--report text lists all records, and a shard has only some of them: leave --shard or "
+        "--report text out");
   }
+}
+
+void begin(cli::Sharding& sharding, CLI::App& app, const Options& options) {
+  sharding.begin(app,
+                 {{"map", options.map},
+                  {"file", options.input},
+                  {"params", options.drone_file.autopilot.params},
+                  {"plan", options.flights.plan()},
+                  {"tube", options.flights.tube()}},
+                 {{"output", options.report.file()},
+                  {"certificate", options.certificate},
+                  {"profile", options.profile.file()}});
+}
+
+// Checks what FILE holds, flight logs excepted, and writes what it comes to.
+cli::Exit check_records(Options& options, cli::InputFile& file, cli::Scenes& scenes,
+                        const cli::Sharding& sharding, const cli::Common& common) {
+  std::optional<traj::MovingObstacles> moving;
+  if (options.together.moving().asked()) {
+    moving = read_moving(options.together.moving(), scenes.map(), options.metres);
+  }
+  if (!options.drone_file.format.empty()) {
+    options.drone_file.autopilot.settle(options.vehicle.profile());
+  }
+  const checking::Checker checker(common, scenes, options.profile, options.together,
+                                  options.rules());
+  Reports reports(options, sharding, scenes.map());
+  const std::size_t total =
+      checker.each(file, options.drone_file, sharding.shard(),
+                   [&](const traj::ReportRecord& report) { reports.add(report); });
+  if (options.drop_refused) options.together.drop(reports.dropped());
+  nlohmann::ordered_json verdicts = {{"records", reports.count()},
+                                     {"failed", reports.failed()},
+                                     {"dropped", reports.dropped().size()}};
+  if (options.together.asked()) {
+    verdicts["pairs"] =
+        check_together(common, options.together, options.decides_exactly(), reports);
+  }
+  if (moving) {
+    verdicts["moving"] =
+        check_moving(common, *moving, options.together, options.decides_exactly(), reports);
+  }
+  const cli::Exit exit = reports.commit(total);
+  if (reports.tells()) {
+    reports.batch().tell(common, "skyway-check", "records failed");
+    tell_verdicts(common, verdicts);
+  }
+  reports.tell_beyond(common);
+  verdicts["collision"] = scenes.stats();
+  common.write_stats(verdicts);
+  return exit;
 }
 
 }  // namespace
@@ -348,15 +402,7 @@ int main(int argc, char** argv) {
     cli::InputFile file(options.input);
     options.drone_file.settle(file);
     options.refuse_idle(app);
-    sharding.begin(app,
-                   {{"map", options.map},
-                    {"file", options.input},
-                    {"params", options.drone_file.autopilot.params},
-                    {"plan", options.flights.plan()},
-                    {"tube", options.flights.tube()}},
-                   {{"output", options.report.file()},
-                    {"certificate", options.certificate},
-                    {"profile", options.profile.file()}});
+    begin(sharding, app, options);
     if (const auto done = sharding.finished(common)) return *done;
     using Differences = cli::Scenes::Differences;
     cli::Scenes scenes(
@@ -366,39 +412,6 @@ int main(int argc, char** argv) {
       return options.flights.check(common, options.input, scenes, options.metres, sharding,
                                    options.report);
     }
-    std::optional<traj::MovingObstacles> moving;
-    if (options.together.moving().asked()) {
-      moving = read_moving(options.together.moving(), scenes.map(), options.metres);
-    }
-    if (!options.drone_file.format.empty()) {
-      options.drone_file.autopilot.settle(options.vehicle.profile());
-    }
-    const checking::Checker checker(common, scenes, options.profile, options.together,
-                                    options.rules());
-    Reports reports(options, sharding, scenes.map());
-    const std::size_t total =
-        checker.each(file, options.drone_file, sharding.shard(),
-                     [&](const traj::ReportRecord& report) { reports.add(report); });
-    if (options.drop_refused) options.together.drop(reports.dropped());
-    nlohmann::ordered_json verdicts = {{"records", reports.count()},
-                                       {"failed", reports.failed()},
-                                       {"dropped", reports.dropped().size()}};
-    if (options.together.asked()) {
-      verdicts["pairs"] =
-          check_together(common, options.together, options.decides_exactly(), reports);
-    }
-    if (moving) {
-      verdicts["moving"] =
-          check_moving(common, *moving, options.together, options.decides_exactly(), reports);
-    }
-    const cli::Exit exit = reports.commit(total);
-    if (reports.tells()) {
-      reports.batch().tell(common, "skyway-check", "records failed");
-      tell_verdicts(common, verdicts);
-    }
-    reports.tell_beyond(common);
-    verdicts["collision"] = scenes.stats();
-    common.write_stats(verdicts);
-    return exit;
+    return check_records(options, file, scenes, sharding, common);
   });
 }

@@ -16,7 +16,8 @@
 
 namespace geom {
 
-// Blocks that stand for boxes (far_blocks.h): of each tile those of one group, side by side.
+// Blocks that stand for boxes (far_blocks.h). The blocks of a tile stand side by side, ordered by
+// group.
 struct FarLevel {
   double cell = 0;  // metres
   std::vector<Aabb> blocks;
@@ -31,9 +32,9 @@ struct DetailLevels {
   std::vector<FarLevel> far;  // the finest first
 };
 
-// Square tiles of about 600 boxes, and levels whose cells grow from a 96th of a tile. `group` has a
-// number a box, and blocks hold boxes of one group only. There is at least one box (precondition).
-// Deterministic.
+// Square tiles of about 600 boxes, and levels whose cells grow from a 96th of a tile. `group` gives
+// the group of each box, and a block holds boxes of one group only. There is at least one box
+// (precondition). Deterministic.
 DetailLevels detail_levels(std::span<const Aabb> boxes, std::span<const std::uint32_t> group);
 
 }  // namespace geom

@@ -27,7 +27,7 @@ struct Wanted {
   int samples = 1;  // a side of each pixel, for colour: n x n rays are averaged; >= 1
 };
 
-// A picture a view, which is at least a pixel wide and high. `shader` is one of `scene`. The bytes
+// Takes one picture for each view. A view is at least one pixel wide and high. `shader` is one of `scene`. The bytes
 // do not depend on run.threads.
 std::vector<Picture> take_pictures(const PictureScene& scene, const Shader& shader,
                                    std::span<const View> views, const Wanted& wanted,

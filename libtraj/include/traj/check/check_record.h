@@ -32,8 +32,8 @@ struct RecordRules {
 
 // The report of a record over the scene that was made for it. The strictest of the limits of the
 // run, the record and the vehicle hold. A record that gives no way to measure a limit of the run is
-// refused. A limit that only the vehicle has, and that nothing in a path or a mission commands, is
-// the vehicle's own to keep. A record that holds nothing to check has an unsolved_report(). Throws
+// refused. A limit that only the vehicle has, and that no path or mission commands, is left to the
+// vehicle. A record that holds nothing to check has an unsolved_report(). Throws
 // InputError(source, line, …) if the record is of another epoch than the map, and UsageError as
 // geom::limits_to_check() does.
 ReportRecord check_record(const geom::CollisionScene& scene, const TrajectoryRecord& record,

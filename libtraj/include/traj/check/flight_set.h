@@ -27,8 +27,8 @@ namespace traj {
 // Holds the trajectories that its flights point to: not to be copied.
 class FlightSet {
  public:
-  // What every flight must have: a size along each axis, unless the rule says the distance; a time
-  // of departure.
+  // What every flight must have. `room`: a size along each axis; a rule with a distance of its own
+  // does not need it. `start`: a time of departure.
   struct Needs {
     bool room = true;
     bool start = false;

@@ -28,7 +28,7 @@ class FlightLogCheck {
   // `rule`: what is accepted.
   explicit FlightLogCheck(const SampledRule& rule = {}) : rule_(rule) {}
 
-  // A plan; not taken where it is not solved.
+  // Adds a plan. A record without a trajectory is ignored.
   void add_plan(TrajectoryRecord plan);
   bool has_plans() const { return !plans_.empty(); }
 
@@ -36,7 +36,7 @@ class FlightLogCheck {
   // a plan, and for one that is shorter than its plan.
   void read_tubes(std::istream& in, const std::string& source);
 
-  // Whether a log has a plan: that of its id, else the only one.
+  // Whether a log has a plan. The plan with the id of the log counts, or else the only plan.
   bool has_plan(const FlightLog& log) const { return plan_of(log.id) != nullptr; }
 
   // The map and vehicle that a log is of, as far as it and its plan say.

@@ -23,8 +23,8 @@ class JsonFields;
 
 namespace traj {
 
-// What is accepted of a flight log that touches nothing, of which no proof is possible. By default
-// nothing is.
+// Which flight logs are accepted, although no log can be a proof. By default none is. A log that
+// touches something is never accepted.
 struct SampledRule {
   bool sampled = false;             // that nothing was touched, at samples and straight between
   std::optional<double> clearance;  // m: that so much was kept there
@@ -35,12 +35,12 @@ struct SampledReport {
   SampledFlight result;
   std::size_t samples = 0;
   bool cut = false;  // the log broke off
-  // The log lasts a shorter time than its plan, so that it cannot hold the whole flight.
-  bool short_of_plan = false;
   std::optional<FlownTube> plan;
   bool tube = false;  // whether the plan came with one
   geom::Provenance provenance;
   SampledRule rule = {};
+  // The log lasts a shorter time than its plan, so that it cannot hold the whole flight.
+  bool short_of_plan = false;
 };
 
 // Why a log on `map` is refused; empty where its rule accepts it. A touch is always refused:
