@@ -1,5 +1,7 @@
 """headers.py SOURCE_DIR: what each public header begins with, and whether docs/library.md lists it.
 headers.py write UNIT NAME HEADER …: a unit that compiles the examples of the headers; run_NAME runs them.
+headers.py alone SOURCE_DIR COMPILER FLAG …: whether each public header includes all that it needs. A header that a
+source includes first is compiled there; the others are compiled here.
 
 A header begins with a comment whose first line is a sentence that would make sense in a list of headers. Below it stands
 a line "// Example:", under which the code is indented by two blanks more, or a line "// No example:" with the reason.
@@ -9,6 +11,7 @@ given.h (map, scene, path, …) stand for objects that a reader has already.
 
 import pathlib
 import re
+import subprocess
 import sys
 
 LIBRARIES = ("geom", "plan", "traj")
@@ -125,6 +128,25 @@ def write(unit, name, headers):
                     f"void run_{name}(Given& given) {{\n{''.join(calls)}}}\n", encoding="utf-8")
 
 
+def included_first(folder):
+    """The headers that a source of the repository includes before all others."""
+    sources = [path for room in (*(f"lib{library}" for library in LIBRARIES), "tests", "tools")
+               for path in (folder / room).rglob("*.cpp")]
+    firsts = (re.search(r"^#include [<\"](.+)[>\"]", path.read_text(encoding="utf-8"), re.M) for path in sources)
+    return {first.group(1) for first in firsts if first}
+
+
+def incomplete(folder, compiler):
+    """What the compiler says of each header that stands first in no source and cannot stand alone."""
+    names = {path.split("/include/")[1] for path in public(folder)}
+    if not names & included_first(folder):
+        yield f"{folder}: no source was found that includes a public header first"
+    for name in sorted(names - included_first(folder)):
+        told = subprocess.run([*compiler, "-x", "c++", "-fsyntax-only", "-"], input=f'#include "{name}"\n', text=True, capture_output=True, check=False)
+        if told.returncode:
+            yield f"{name} does not compile alone:\n{told.stderr}"
+
+
 NAMES = "auto& [map, vehicle, limits, scene, path, trajectory] = given;"
 QUIET = "\n".join(f'#pragma GCC diagnostic ignored "-W{name}"' for name in ("unused-variable", "unused-but-set-variable", "unused-parameter", "shadow"))
 
@@ -133,6 +155,10 @@ def main():
     if sys.argv[1] == "write":
         write(pathlib.Path(sys.argv[2]), sys.argv[3], [pathlib.Path(name) for name in sys.argv[4:]])
         return
+    if sys.argv[1] == "alone":
+        found = list(incomplete(pathlib.Path(sys.argv[2]), sys.argv[3:]))
+        print(*found, sep="\n")
+        sys.exit(bool(found))
     folder = pathlib.Path(sys.argv[1])
     headers = public(folder)
     found = list(self_test()) + [fault for path, text in headers.items() for fault in faults(path, text)]
