@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cli/batch.h"
+#include "cli/beyond_bounds.h"
 #include "cli/content/contents.h"
 #include "cli/file/files.h"
 #include "cli/option/option_check.h"
@@ -88,6 +89,7 @@ cli::Exit FlightLogs::check(const cli::Common& common, const std::string& input,
   cli::RecordOutput out(report.file(), "output", sharding);
   traj::VerdictTable table;
   cli::Batch batch;
+  cli::BeyondBounds beyond(map);
   std::size_t at = 0;
   std::size_t touched = 0;
   std::size_t refused = 0;
@@ -100,6 +102,9 @@ cli::Exit FlightLogs::check(const cli::Common& common, const std::string& input,
     const std::string_view reason = traj::reason_of(judged, map);
     touched += verdict(judged.result) != "sampled";
     refused += !reason.empty();
+    if (judged.result.reason == traj::Reason::bounds) {
+      beyond.add(judged.provenance, judged.result.place, judged.result.worst);
+    }
     reason.empty() ? batch.add_good()
                    : batch.add_failed(reason, log.id + ": " + traj::in_words(judged, map));
     report.is_text() ? table.add(judged, map) : out.add(traj::to_json_line(judged, map));
@@ -113,6 +118,7 @@ cli::Exit FlightLogs::check(const cli::Common& common, const std::string& input,
   if (report.is_text()) out.add(table.text(report.colour()));
   out.commit(logs.size(), exit);
   if (report.tells()) batch.tell(common, "skyway-check", "flights are not proved");
+  beyond.tell(common, "skyway-check");
   common.write_stats({{"records", logs.size()},
                       {"failed", touched},
                       {"refused", refused},

@@ -6,6 +6,7 @@
 
 #include "checker.h"
 #include "cli/batch.h"
+#include "cli/beyond_bounds.h"
 #include "cli/option/limit_options.h"
 #include "cli/option/option_check.h"
 #include "cli/option/output_option.h"
@@ -13,7 +14,6 @@
 #include "cli/run.h"
 #include "cli/tell.h"
 #include "flight_logs.h"
-#include "geom/map/wider_bounds.h"
 #include "geom/record/agreed_room.h"
 #include "report_output.h"
 #include "together.h"
@@ -120,7 +120,9 @@ class Reports {
     ++count_;
     ok ? batch_.add_good()
        : batch_.add_failed(verdict_word(report), report.id + ": " + in_words(report, map_));
-    if (!ok && report.result.reason == traj::Reason::bounds) add_beyond(report);
+    if (!ok && report.result.reason == traj::Reason::bounds) {
+      beyond_.add(report.provenance, report.result.place, report.result.worst);
+    }
     if (certificates_) certificates_->add(ok ? certificate(report) : std::string());
     profile_.finish_record();
     suite_.add(report, map_);
@@ -189,26 +191,13 @@ class Reports {
   // Whether stderr says what failed.
   bool tells() const { return output_.tells(); }
 
-  // What to do where records leave the bounds.
-  void tell_beyond(const cli::Common& common) const {
-    if (!wider_.any()) return;
-    cli::tell(
-        common, "skyway-check",
-        fmt::format("the bounds are left, at most {}: {}", wider_.in_words(), wider_.advice()));
-  }
+  const cli::BeyondBounds& beyond() const { return beyond_; }
 
   std::size_t count() const { return count_; }
   std::size_t failed() const { return failed_; }
   const cli::Batch& batch() const { return batch_; }
 
  private:
-  void add_beyond(const traj::ReportRecord& report) {
-    const geom::Vec3 half = report.provenance.vehicle ? report.provenance.vehicle->half
-                                                      : geom::Vec3(geom::Vec3::Zero());
-    const double margin = report.provenance.margin.value_or(0);
-    wider_.add(report.result.place, half + geom::Vec3::Constant(margin), report.result.worst);
-  }
-
   std::string certificate(const traj::ReportRecord& report) const {
     traj::CertificateRecord record{report.id,          report.checked,    *report.exact,
                                    map_.spec().bounds, report.provenance, report.limits,
@@ -226,7 +215,7 @@ class Reports {
   std::optional<cli::OutputFile> junit_;
   traj::JUnitSuite suite_;
   std::optional<traj::VerdictTable> table_;
-  geom::WiderBounds wider_{map_.spec().bounds};  // that would hold what leaves them
+  cli::BeyondBounds beyond_{map_};
   bool parks_;
   bool drops_;
   const checking::ReportOutput& output_;
@@ -377,7 +366,7 @@ cli::Exit check_records(Options& options, cli::InputFile& file, cli::Scenes& sce
     reports.batch().tell(common, "skyway-check", "records failed");
     tell_verdicts(common, verdicts);
   }
-  reports.tell_beyond(common);
+  reports.beyond().tell(common, "skyway-check");
   verdicts["collision"] = scenes.stats();
   common.write_stats(verdicts);
   return exit;
