@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <optional>
+#include <stdexcept>
 
 #include "cli/content/artefacts.h"
 #include "cli/file/files.h"
@@ -76,6 +77,12 @@ plan::bench::Run run_command(const std::string& command, const geom::CollisionSc
                              const cli::Common& common) {
   const bench::CommandOutput output = bench::run_command(
       command, plan::bench::query_lines(queries), queries.size(), common.execution("planner-cmd"));
+  constexpr int kNotExecutable = 126;  // what a shell ends with where it cannot start a program
+  constexpr int kNotFound = 127;
+  if (output.answers.lines.empty() &&
+      (output.status == kNotExecutable || output.status == kNotFound)) {
+    throw std::runtime_error(fmt::format("cannot start the planner command: {}", command));
+  }
   if (output.status > 1) {
     common.warn(
         fmt::format("the planner command ended with status {}: {}", output.status, command));

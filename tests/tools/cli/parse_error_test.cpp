@@ -76,6 +76,24 @@ TEST(ParseError, NamesUnknownAndMissingArguments) {
   EXPECT_EQ(said({"m", "--elsewhere"}), "there is no option --elsewhere");
 }
 
+TEST(ParseError, NamesTheWrongVerbAndNotItsOptions) {
+  CLI::App app{"", "tool"};
+  app.require_subcommand(1);
+  app.add_subcommand("profile");
+  app.add_subcommand("plan");
+  const auto told = [&](std::vector<std::string> arguments) -> std::string {
+    try {
+      app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    } catch (const CLI::ParseError& error) {
+      return cli::in_words(app, error, arguments.back());
+    }
+    return "";
+  };
+  EXPECT_EQ(told({"profil", "-o", "x"}),
+            "expected profile or plan, found \"profil\"; did you mean profile?");
+  EXPECT_EQ(told({"--sise", "profil"}), "there is no option --sise");
+}
+
 TEST(ParseError, SuggestsTheNearestWordAndTheNumberWithoutItsUnit) {
   EXPECT_EQ(said({"m", "--colour", "Gren"}),
             "--colour: expected green or red, found \"Gren\"; did you mean green?");

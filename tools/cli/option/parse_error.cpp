@@ -212,7 +212,15 @@ std::string missing_verb(const CLI::App& app) {
   return fmt::format("expected {}, found {}", alternatives(CLI::detail::join(verbs, ",")), found);
 }
 
+// A word that stands where a verb was expected: options of the verb are unknown for it alone.
+bool has_wrong_verb(const CLI::App& app) {
+  const std::vector<std::string> left = app.remaining();
+  return app.get_require_subcommand_min() > app.get_subcommands().size() && !left.empty() &&
+         !left.front().starts_with('-');
+}
+
 std::optional<std::string> missing_argument(CLI::App& app) {
+  if (has_wrong_verb(app)) return missing_verb(app);
   if (auto option = unknown_option(app)) return option;  // explains what is missing
   const CLI::Option* const option = first_option(
       app, [](const CLI::Option& one) { return one.get_required() && one.count() == 0; });
