@@ -1,7 +1,8 @@
 """build_cost.py BUILD_DIR … [--units 150]: what a clean build of each folder costs, in seconds of CPU.
 
 Compiles units at random (seed 1) in turns between the folders, without a compiler cache, and multiplies the mean of each
-kind of unit by their number. A kind is a target. Precompiled headers are counted in full.
+kind of unit by their number. A kind is a target. Precompiled headers are counted in full. A unit that needs a generated
+file that is not there does not compile; a folder that was built has all of them.
 """
 
 import argparse
@@ -12,14 +13,17 @@ import random
 import re
 import resource
 import subprocess
+import sys
 import tempfile
 
 
 def cpu_of(command, folder):
-    """Seconds of CPU of a command and its children."""
+    """Seconds of CPU of a command and its children; nothing where it fails."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    subprocess.run(command, shell=True, check=True, cwd=folder, stderr=subprocess.DEVNULL)
+    done = subprocess.run(command, shell=True, check=False, cwd=folder, stderr=subprocess.DEVNULL)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    if done.returncode:
+        return None
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
@@ -67,10 +71,16 @@ def main():
         for build, sample, of_kind in zip(builds, samples, times):
             if turn < len(sample):
                 kind, command = sample[turn]
-                of_kind[kind].append(build.timed(command))
+                seconds = build.timed(command)
+                if seconds is None:
+                    print(f"{build.folder}: a unit of {kind} did not compile and is left out", file=sys.stderr)
+                else:
+                    of_kind[kind].append(seconds)
     for build, of_kind in zip(builds, times):
         numbers = {kind: len(commands) for kind, commands in build.commands.items()}
-        cost = sum(numbers[kind] * sum(seconds) / len(seconds) for kind, seconds in of_kind.items())
+        every = [one for seconds in of_kind.values() for one in seconds]
+        mean = {kind: sum(of_kind[kind] or every) / len(of_kind[kind] or every) for kind in numbers}
+        cost = sum(number * mean[kind] for kind, number in numbers.items())
         print(f"{build.folder}: {sum(numbers.values())} units, {cost:.0f} s of CPU")
 
 
