@@ -42,11 +42,19 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_COMPONENTS_ALL tools development)
 
+# What programs load when they need it (geom/base/loaded_library.h), which nothing finds by itself.
+set(skyway_loaded libembree3-3 coinor-libipopt1v5 libexpat1 liblzf1)
+if(SKYWAY_MESH)
+  list(APPEND skyway_loaded libassimp5)
+endif()
+list(JOIN skyway_loaded ", " skyway_loaded)
+
 skyway_package(tools skyway science "offline map and path toolkit for drones in cities
 City tables and text maps become box maps, box maps become lattices and
 roadmaps, those give paths, and paths become minimum-snap trajectories that
 are proved free of collision and inside the vehicle's limits, and are written
 in the form that the drone reads. Every step is a command-line tool.")
+set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "${skyway_loaded}")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "skyway-footprints, skyway-cloud, skyway-mesh, python3-skyway, make, slurm-client")
 
 skyway_package(development libskyway-dev libdevel "libraries of the Skyway toolkit
@@ -54,17 +62,16 @@ Headers and static libraries of what the tools are made of: box maps and exact
 collision queries, path planning, trajectories and their proof. A CMake package
 is included: find_package(skyway), then link skyway::plan or skyway::traj.")
 string(JOIN ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-  libeigen3-dev libfmt-dev nlohmann-json3-dev libsimdjson-dev libembree-dev liboctomap-dev
-  liblzf-dev libgeographiclib-dev libgmp-dev libmpfr-dev libssl-dev libexpat1-dev zlib1g-dev coinor-libipopt-dev
-  libblas-dev liblapack-dev pkg-config)
+  libeigen3-dev libfmt-dev nlohmann-json3-dev libsimdjson-dev liboctomap-dev libgeographiclib-dev libgmp-dev
+  libmpfr-dev libssl-dev zlib1g-dev libembree3-3 coinor-libipopt1v5 libexpat1 liblzf1)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS
-  "libgdal-dev, libbz2-dev, libpcl-dev, libproj-dev, libassimp-dev, libdraco-dev")
+  "libgdal-dev, libbz2-dev, libexpat1-dev, libpcl-dev, libproj-dev, pkg-config, libassimp5, libdraco-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 
 # Each of the three has a part of the Python module, too.
 set(skyway_part_depends "")
 if(SKYWAY_PYTHON)
-  set(skyway_part_depends python3)
+  set(skyway_part_depends ", python3")
 endif()
 
 if(SKYWAY_FOOTPRINTS)
@@ -73,7 +80,7 @@ if(SKYWAY_FOOTPRINTS)
 Reads GeoJSON, GeoPackage, Shapefile, FlatGeobuf, OpenStreetMap, CityJSON and
 height models, and makes box maps of them for the tools of the package skyway.")
   set(CPACK_DEBIAN_FOOTPRINTS_PACKAGE_RECOMMENDS skyway)
-  set(CPACK_DEBIAN_FOOTPRINTS_PACKAGE_DEPENDS "${skyway_part_depends}")
+  set(CPACK_DEBIAN_FOOTPRINTS_PACKAGE_DEPENDS "libexpat1${skyway_part_depends}")
 endif()
 
 if(SKYWAY_CLOUD)
@@ -82,7 +89,7 @@ if(SKYWAY_CLOUD)
 Reads PCD, PLY, LAS, LAZ and XYZ point clouds, and makes box maps of them for
 the tools of the package skyway.")
   set(CPACK_DEBIAN_CLOUD_PACKAGE_RECOMMENDS skyway)
-  set(CPACK_DEBIAN_CLOUD_PACKAGE_DEPENDS "${skyway_part_depends}")
+  set(CPACK_DEBIAN_CLOUD_PACKAGE_DEPENDS "liblzf1${skyway_part_depends}")
 endif()
 
 if(SKYWAY_MESH)
@@ -91,7 +98,7 @@ if(SKYWAY_MESH)
 Reads OBJ, PLY, STL, glTF, COLLADA, 3DS and 3D Tiles, and makes box maps of
 them for the tools of the package skyway.")
   set(CPACK_DEBIAN_MESH_PACKAGE_RECOMMENDS skyway)
-  set(CPACK_DEBIAN_MESH_PACKAGE_DEPENDS "${skyway_part_depends}")
+  set(CPACK_DEBIAN_MESH_PACKAGE_DEPENDS "libassimp5, libexpat1${skyway_part_depends}")
 endif()
 
 if(SKYWAY_PYTHON)
@@ -100,7 +107,7 @@ if(SKYWAY_PYTHON)
 Makes box maps, reads them, lattices, roadmaps, paths, trajectories and reports
 into NumPy arrays, answers collision queries in batches without copying, plans,
 solves and checks.")
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${SKYWAY_PYTHON_DEPENDS}")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${SKYWAY_PYTHON_DEPENDS}, ${skyway_loaded}")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS skyway)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "skyway-footprints, skyway-cloud, skyway-mesh")
 endif()

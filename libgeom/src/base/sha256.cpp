@@ -1,41 +1,30 @@
 #include "geom/base/sha256.h"
 
 #include <fmt/format.h>
-#include <openssl/evp.h>
+// Not EVP, which sets up all of libcrypto first: a millisecond, and half of it in each program.
+#define OPENSSL_SUPPRESS_DEPRECATED
+#include <openssl/sha.h>
 
 #include <array>
-#include <stdexcept>
 
 namespace geom {
 
 struct Sha256::Impl {
-  EVP_MD_CTX* context = EVP_MD_CTX_new();
-  ~Impl() { EVP_MD_CTX_free(context); }
+  SHA256_CTX context;
 };
 
-namespace {
-
-void require(int result) {
-  if (result != 1) throw std::runtime_error("SHA-256 is not available from libcrypto");
-}
-
-}  // namespace
-
-Sha256::Sha256() : impl_(std::make_unique<Impl>()) {
-  require(EVP_DigestInit_ex(impl_->context, EVP_sha256(), nullptr));
-}
+Sha256::Sha256() : impl_(std::make_unique<Impl>()) { SHA256_Init(&impl_->context); }
 Sha256::~Sha256() = default;
 
 void Sha256::update(std::span<const std::byte> bytes) {
-  require(EVP_DigestUpdate(impl_->context, bytes.data(), bytes.size()));
+  SHA256_Update(&impl_->context, bytes.data(), bytes.size());
 }
 
 std::string Sha256::hex() {
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
-  unsigned size = 0;
-  require(EVP_DigestFinal_ex(impl_->context, digest.data(), &size));
+  std::array<unsigned char, SHA256_DIGEST_LENGTH> digest;
+  SHA256_Final(digest.data(), &impl_->context);
   std::string text;
-  for (unsigned i = 0; i < size; ++i) text += fmt::format("{:02x}", digest[i]);
+  for (const unsigned char byte : digest) text += fmt::format("{:02x}", byte);
   return text;
 }
 

@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 
+#include "geom/base/loaded_library.h"
 #include "geom/cloud/cloud_format.h"
 #include "geom/cloud/point_cloud.h"
 #include "geom/text/beginning.h"
@@ -28,6 +29,14 @@ struct Field {
 
   std::uint64_t bytes() const { return static_cast<std::uint64_t>(scalar.size) * count; }
 };
+
+// Bytes that were unpacked; 0 if they are damaged or do not fit. LZF is loaded when it is needed.
+unsigned unpacked_lzf(const std::string& from, std::vector<unsigned char>& to) {
+  static const LoadedLibrary library(SKYWAY_LZF_SONAME, "liblzf1");
+  decltype(lzf_decompress)* const unpack = library.function("lzf_decompress");
+  return unpack(from.data(), static_cast<unsigned>(from.size()), to.data(),
+                static_cast<unsigned>(to.size()));
+}
 
 class PcdReader {
  public:
@@ -255,9 +264,7 @@ class PcdReader {
       }
     }
     std::vector<unsigned char> to(unpacked);
-    if (lzf_decompress(from.data(), static_cast<unsigned>(packed), to.data(),
-                       static_cast<unsigned>(unpacked)) != unpacked &&
-        unpacked > 0) {
+    if (unpacked_lzf(from, to) != unpacked && unpacked > 0) {
       refuse({.says = "the compressed data are damaged"});
     }
     for (std::uint64_t i = 0; i < points_; ++i) {

@@ -12,6 +12,7 @@
 
 #if defined(__x86_64__)
 #include <immintrin.h>
+#include <sys/platform/x86.h>
 #endif
 
 #include "box_tree.h"
@@ -123,7 +124,7 @@ inline constexpr auto kPicked = [] {
 
 struct Avx2 {
   static bool usable() {
-    static const bool has = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    static const bool has = CPU_FEATURE_ACTIVE(AVX2) && CPU_FEATURE_ACTIVE(FMA);
     return has;
   }
 
@@ -245,7 +246,7 @@ struct Avx2 {
 
 struct Avx512 {
   static bool usable() {
-    static const bool has = __builtin_cpu_supports("avx512f") && Avx2::usable();
+    static const bool has = CPU_FEATURE_ACTIVE(AVX512F) && Avx2::usable();
     return has;
   }
 

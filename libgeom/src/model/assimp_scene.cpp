@@ -1,18 +1,20 @@
 #include "geom/model/assimp_scene.h"
 
+#include <assimp/cimport.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <assimp/Importer.hpp>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
 #include <set>
 
 #include "collada_links.h"
 #include "geom/base/error.h"
+#include "geom/base/loaded_library.h"
 #include "geom/model/model_format.h"
 #include "geom/model/model_polygons.h"
 #include "geom/text/excerpt.h"
@@ -180,24 +182,36 @@ std::size_t faces_of_3ds(std::string_view bytes, const std::string& source, int 
   return sum;
 }
 
+// Loaded when it is needed: it takes longer to load than most imports, and few sources name a mesh
+// that it reads.
+struct Assimp {
+  decltype(aiImportFileFromMemory)* import_file;
+  decltype(aiReleaseImport)* release;
+  decltype(aiGetErrorString)* error;
+};
+
+Assimp load_assimp() {
+  const LoadedLibrary library(SKYWAY_ASSIMP_SONAME, "libassimp5");
+  return {.import_file = library.function("aiImportFileFromMemory"),
+          .release = library.function("aiReleaseImport"),
+          .error = library.function("aiGetErrorString")};
+}
+
 // `told`: polygons that the file counts. `hint`: the ending by which assimp knows the format.
 Model read_scene(const std::string& bytes, const std::string& source, const ModelFormat& format,
                  std::size_t told, const char* hint) {
-  const auto scene_of = [&](Assimp::Importer& importer) {
-    return importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, hint);
+  static const Assimp assimp = load_assimp();
+  const auto read_file = [&] {
+    return std::unique_ptr<const aiScene, decltype(assimp.release)>(
+        assimp.import_file(bytes.data(), static_cast<unsigned>(bytes.size()), 0, hint),
+        assimp.release);
   };
-  const auto trial = [&] {
-    Assimp::Importer importer;
-    scene_of(importer);
-  };
-  try_in_child(trial, "assimp", source);
-  Assimp::Importer importer;
-  const aiScene* const scene = scene_of(importer);
+  try_in_child([&] { read_file(); }, "assimp", source);
+  const auto scene = read_file();
   if (!scene || !scene->mRootNode) {
     throw InputError(
         source, {.expected = fmt::format("a file of format {}, which assimp could not read: {}",
-                                         format.format->word,
-                                         excerpt(importer.GetErrorString(), 120))});
+                                         format.format->word, excerpt(assimp.error(), 120))});
   }
   Scene read(*scene, source);
   Model model = read.model();

@@ -1,5 +1,3 @@
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +5,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "base/embree_library.h"
 #include "geom/picture/picture_scene.h"
 
 namespace geom::picture {
@@ -24,7 +23,7 @@ struct Corner {
 };
 
 void throw_on_error(RTCDevice device) {
-  const RTCError error = rtcGetDeviceError(device);
+  const RTCError error = embree().device_error(device);
   if (error == RTC_ERROR_NONE) return;
   if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
   throw std::runtime_error("Embree could not build the scene of the picture");
@@ -34,8 +33,8 @@ void throw_on_error(RTCDevice device) {
 
 struct PictureScene::Embree {
   // One thread builds, so that the tree, and with it the order of equal depths, is always the same.
-  RTCDevice device = rtcNewDevice("threads=1");
-  RTCScene scene = device ? rtcNewScene(device) : nullptr;
+  RTCDevice device = embree().new_device("threads=1");
+  RTCScene scene = device ? embree().new_scene(device) : nullptr;
 
   // Never released where this throws: a process whose memory ran out while Embree started ends.
   Embree() {
@@ -43,30 +42,30 @@ struct PictureScene::Embree {
       throw_on_error(device);
       throw std::runtime_error("Embree does not start on this processor");
     }
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    embree().set_scene_flags(scene, RTC_SCENE_FLAG_ROBUST);
   }
   ~Embree() {
-    rtcReleaseScene(scene);
-    rtcReleaseDevice(device);
+    embree().release_scene(scene);
+    embree().release_device(device);
   }
 
   RTCGeometry new_geometry(RTCGeometryType type) {
-    RTCGeometry geometry = rtcNewGeometry(device, type);
+    RTCGeometry geometry = embree().new_geometry(device, type);
     if (!geometry) throw std::bad_alloc();
     return geometry;
   }
 
   template <class T>
   T* buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::size_t count) {
-    void* memory = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), count);
+    void* memory = embree().set_new_geometry_buffer(geometry, type, 0, format, sizeof(T), count);
     if (!memory) throw std::bad_alloc();
     return static_cast<T*>(memory);
   }
 
   void attach(RTCGeometry geometry, unsigned id) {
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometryByID(scene, geometry, id);
-    rtcReleaseGeometry(geometry);
+    embree().commit_geometry(geometry);
+    embree().attach_geometry(scene, geometry, id);
+    embree().release_geometry(geometry);
     throw_on_error(device);
   }
 
@@ -130,7 +129,7 @@ PictureScene::PictureScene(const BoxMap& map, std::span<const Tubes> tubes,
       embree_->add_tubes(t, middle_, static_cast<unsigned>(tube_colours_.size()));
     }
   }
-  rtcCommitScene(embree_->scene);
+  embree().commit_scene(embree_->scene);
   try {
     throw_on_error(embree_->device);
   } catch (...) {
@@ -198,7 +197,7 @@ Block PictureScene::cast(const Rays& view, int x, int y) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  rtcIntersect16(valid, embree_->scene, &context, &packet);
+  embree().intersect16(valid, embree_->scene, &context, &packet);
   Block out;
   for (int i = 0; i < 16; ++i) {
     out[i] = named(rays[i], packet.hit.geomID[i], packet.hit.primID[i], packet.ray.tfar[i]);
@@ -233,7 +232,7 @@ float PictureScene::unhidden(const Vec3& from,
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  rtcOccluded16(valid, embree_->scene, &context, &packet);
+  embree().occluded16(valid, embree_->scene, &context, &packet);
   int clear = 0;
   for (const float end : packet.tfar) clear += end > 0;
   return static_cast<float>(clear) / 16;

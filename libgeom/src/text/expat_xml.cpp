@@ -1,4 +1,3 @@
-#include <expat.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "expat_library.h"
 #include "geom/base/error.h"
 #include "geom/text/excerpt.h"
 #include "xml_events.h"
@@ -32,7 +32,7 @@ constexpr std::array<int, 32> kWindows1252 = {
     0x2013, 0x2014, 0x02dc, 0x2122, 0x0161, 0x203a, 0x0153, -1,     0x017e, 0x0178};
 
 struct ParserFree {
-  void operator()(XML_Parser parser) const { XML_ParserFree(parser); }
+  void operator()(XML_Parser parser) const { expat().parser_free(parser); }
 };
 
 bool is_windows_1252(std::string_view encoding) {
@@ -45,26 +45,26 @@ bool is_windows_1252(std::string_view encoding) {
 class Bridge {
  public:
   Bridge(const std::string& source, XmlHandler& handler)
-      : source_(source), handler_(handler), parser_(XML_ParserCreate(nullptr)) {
+      : source_(source), handler_(handler), parser_(expat().parser_create(nullptr)) {
     if (!parser_) throw std::bad_alloc();
-    XML_SetUserData(parser_.get(), this);
-    XML_SetElementHandler(parser_.get(), &Bridge::begin, &Bridge::end);
-    XML_SetCharacterDataHandler(parser_.get(), &Bridge::text);
-    XML_SetStartDoctypeDeclHandler(parser_.get(), &Bridge::document_type);
-    XML_SetUnknownEncodingHandler(parser_.get(), &Bridge::encoding, this);
+    expat().set_user_data(parser_.get(), this);
+    expat().set_element_handler(parser_.get(), &Bridge::begin, &Bridge::end);
+    expat().set_character_data_handler(parser_.get(), &Bridge::text);
+    expat().set_start_doctype_handler(parser_.get(), &Bridge::document_type);
+    expat().set_unknown_encoding_handler(parser_.get(), &Bridge::encoding, this);
   }
 
   void feed(std::string_view bytes, bool last) {
     const int size = static_cast<int>(bytes.size());
-    if (XML_Parse(parser_.get(), bytes.data(), size, last) == XML_STATUS_OK) return;
+    if (expat().parse(parser_.get(), bytes.data(), size, last) == XML_STATUS_OK) return;
     if (thrown_) std::rethrow_exception(thrown_);
-    const XML_Error error = XML_GetErrorCode(parser_.get());
+    const XML_Error error = expat().error_code(parser_.get());
     if (error == XML_ERROR_NO_MEMORY) throw std::bad_alloc();
     refuse(problem(error));
   }
 
  private:
-  std::size_t line() const { return XML_GetCurrentLineNumber(parser_.get()); }
+  std::size_t line() const { return expat().current_line(parser_.get()); }
 
   [[noreturn]] void refuse(Fault fault) const {
     throw InputError(source_, line(), std::move(fault));
@@ -74,7 +74,7 @@ class Bridge {
   std::string found() const {
     int at = 0;
     int size = 0;
-    const char* const bytes = XML_GetInputContext(parser_.get(), &at, &size);
+    const char* const bytes = expat().input_context(parser_.get(), &at, &size);
     if (!bytes || at >= size) return "the end of the file";
     const std::string_view rest(bytes + at, static_cast<std::size_t>(size - at));
     return '"' + excerpt(rest.substr(0, kShown + 1), kShown) + '"';
@@ -126,7 +126,7 @@ class Bridge {
       f();
     } catch (...) {
       thrown_ = std::current_exception();
-      XML_StopParser(parser_.get(), XML_FALSE);
+      expat().stop_parser(parser_.get(), XML_FALSE);
     }
   }
 

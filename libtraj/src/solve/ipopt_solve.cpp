@@ -13,6 +13,8 @@
 #include <span>
 #include <stdexcept>
 
+#include "geom/base/loaded_library.h"
+
 namespace traj {
 namespace {
 
@@ -188,6 +190,14 @@ void set_options(Ipopt::IpoptApplication& app, int max_iterations) {
   options->SetIntegerValue("max_iter", max_iterations);
 }
 
+// Ipopt and what it needs take longer to load than the rest of a tool's start, and few paths need
+// it. All else of Ipopt is reached through virtual functions.
+Ipopt::SmartPtr<Ipopt::IpoptApplication> new_application() {
+  static const geom::LoadedLibrary library(SKYWAY_IPOPT_SONAME, "coinor-libipopt1v5");
+  decltype(IpoptApplicationFactory)* const make = library.function("IpoptApplicationFactory");
+  return make();
+}
+
 }  // namespace
 
 IpoptOutcome ipopt_solve(const Nlp& nlp, int max_iterations) {
@@ -195,7 +205,7 @@ IpoptOutcome ipopt_solve(const Nlp& nlp, int max_iterations) {
   const std::lock_guard lock(one_at_a_time);
   IpoptOutcome outcome;
   outcome.x = nlp.start();
-  const Ipopt::SmartPtr<Ipopt::IpoptApplication> app = IpoptApplicationFactory();
+  const Ipopt::SmartPtr<Ipopt::IpoptApplication> app = new_application();
   set_options(*app, max_iterations);
   // An empty name: otherwise a file ipopt.opt in the working directory would be obeyed.
   if (app->Initialize(std::string()) != Ipopt::Solve_Succeeded) {

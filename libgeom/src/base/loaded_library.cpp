@@ -1,0 +1,26 @@
+#include "geom/base/loaded_library.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <new>
+#include <stdexcept>
+
+namespace geom {
+
+LoadedLibrary::LoadedLibrary(const char* file, const char* package) : file_(file) {
+  errno = 0;
+  handle_ = dlopen(file, RTLD_LAZY | RTLD_LOCAL);
+  if (handle_) return;
+  if (errno == ENOMEM) throw std::bad_alloc();
+  throw std::runtime_error(
+      fmt::format("cannot load {} of the package {}: {}", file, package, dlerror()));
+}
+
+LoadedLibrary::Function LoadedLibrary::function(const char* name) const {
+  if (void* const address = dlsym(handle_, name)) return Function(address);
+  throw std::runtime_error(fmt::format("{} has no {}: it is of another version", file_, name));
+}
+
+}  // namespace geom
