@@ -1,79 +1,135 @@
 #include "checker.h"
 
+#include <memory>
+#include <utility>
+
 #include "cli/run.h"
+#include "geom/base/in_order.h"
 #include "geom/text/json_fields.h"
+#include "geom/text/record_lines.h"
 #include "traj/mission/judge/judge.h"
 
 namespace checking {
+namespace {
 
-traj::ReportRecord Checker::trajectory(const traj::TrajectoryRecord& record,
-                                       const std::string& source, std::size_t line) const {
-  if (record.status != traj::TrajectoryStatus::solved) {
-    together_.add(record, nullptr, source, line);
-    return traj::unsolved_report(record);
-  }
-  const auto& scene = scenes_.scene_for(record.provenance, source, line);
-  rules_.metres.check_input(scene.map().spec().frame, record.trajectory, source, line);
-  together_.add(record, &scene, source, line);
-  const auto report = traj::check_record(scene, record, rules_.record, source, line);
-  profile_.add(record.id, scene, record.trajectory, report.result.duration);
-  return report;
+constexpr std::size_t kHeld = 128;  // records at a time
+
+}  // namespace
+
+Checks Checker::solved(const geom::CollisionScene& scene, const traj::TrajectoryRecord& record,
+                       const std::string& source, std::size_t line) const {
+  Checks out{traj::check_record(scene, record, rules_.record, source, line)};
+  out.profile = profile_.rows(record.id, scene, record.trajectory, out.report.result.duration);
+  return out;
 }
 
-traj::ReportRecord Checker::path(const geom::PathRecord& record, const std::string& source,
-                                 std::size_t line) const {
+Checker::Checked Checker::trajectory(traj::TrajectoryRecord record, const std::string& source,
+                                     std::size_t line) const {
+  Checked out;
+  if (record.status != traj::TrajectoryStatus::solved) {
+    out.checks.report = traj::unsolved_report(record);
+  } else {
+    const auto scene = scenes_.shared_scene_for(record.provenance, source, line);
+    rules_.metres.check_input(scene->map().spec().frame, record.trajectory, source, line);
+    if (together_.collects()) out.room = traj::room_of(*scene, record);
+    try {
+      out.checks = solved(*scene, record, source, line);
+    } catch (...) {
+      out.failure = std::current_exception();
+    }
+  }
+  if (together_.collects()) out.flight = std::move(record);
+  return out;
+}
+
+Checks Checker::path(const geom::PathRecord& record, const std::string& source,
+                     std::size_t line) const {
   if (together_.collects()) together_.refuse_path(record.id, source, line);
-  if (record.status != geom::PathStatus::found) return traj::unsolved_report(record);
-  const auto& scene = scenes_.scene_for(record.provenance, source, line);
-  rules_.metres.check_input(scene.map().spec().frame, record.points, source, line);
-  const auto report = traj::check_record(scene, record, rules_.record, source, line);
-  profile_.add(record.id, scene, record.points);
-  return report;
+  if (record.status != geom::PathStatus::found) return {traj::unsolved_report(record)};
+  const auto scene = scenes_.shared_scene_for(record.provenance, source, line);
+  rules_.metres.check_input(scene->map().spec().frame, record.points, source, line);
+  return {traj::check_record(*scene, record, rules_.record, source, line),
+          profile_.rows(record.id, *scene, record.points)};
 }
 
 // What a drone makes of a file.
-traj::ReportRecord Checker::flown(const traj::FileFlight& file) const {
+Checks Checker::flown(const traj::FileFlight& file) const {
   const auto& scene = scenes_.scene();
   const traj::FlownLegs* legs = traj::legs_of(file.flown);
   if (!file.format->is_flown) {
     rules_.metres.check_input(scene.map().spec().frame, legs->path, file.id, 0);
   }
-  const auto report = traj::check_record(scene, file, *rules_.flier, rules_.record);
+  Checks out{traj::check_record(scene, file, *rules_.flier, rules_.record)};
   if (!legs) {
-    profile_.add(file.id, scene, traj::trajectory_of(file.flown), report.result.duration);
+    out.profile =
+        profile_.rows(file.id, scene, traj::trajectory_of(file.flown), out.report.result.duration);
   } else if (const auto way = traj::whole_way(scene, *legs)) {
-    profile_.add(file.id, scene, *way);
+    out.profile = profile_.rows(file.id, scene, *way);
   }
-  return report;
+  return out;
 }
 
-traj::ReportRecord Checker::record(const std::string& text, const std::string& source,
-                                   std::size_t line) const {
+Checker::Checked Checker::record(const std::string& text, const std::string& source,
+                                 std::size_t line) const {
   const geom::JsonFields fields(text, source, line);
-  return fields.text("type") == "path"
-             ? path(geom::read_path_record(fields), source, line)
-             : trajectory(traj::read_trajectory_record(fields), source, line);
+  if (fields.text("type") == "path") {
+    return {.checks = path(geom::read_path_record(fields), source, line)};
+  }
+  return trajectory(traj::read_trajectory_record(fields), source, line);
 }
 
-std::size_t Checker::each(cli::InputFile& file, const cli::DroneFileOptions& drone_file,
-                          const geom::Shard& shard, const Answer& answer) const {
+struct Checker::Item {
+  geom::RecordLine line;
+  Checked checked = {};
+  Told told = {};
+};
+
+std::size_t Checker::each_record(cli::InputFile& file, const geom::Shard& shard,
+                                 Reports& reports) const {
   std::size_t total = 0;
-  if (drone_file.format.empty()) {
-    file.for_each_line([&](const std::string& line, std::size_t number) {
-      if (shard.takes(total++)) answer(record(line, file.name(), number));
-    });
-    return total;
-  }
+  geom::RecordLines lines(file.stream(), file.name());
+  const auto next = [&]() -> std::optional<Item> {
+    while (auto line = lines.next()) {
+      if (shard.takes(total++)) return Item{*std::move(line)};
+    }
+    return std::nullopt;
+  };
+  const auto work = [&](Item& item) {
+    item.checked = record(item.line.text, file.name(), item.line.number);
+    item.line.text = {};
+    if (!item.checked.failure) item.told = reports.told(std::move(item.checked.checks));
+  };
+  const auto take = [&](Item& item) {
+    if (item.checked.flight) {
+      together_.add(*std::move(item.checked.flight), item.checked.room, file.name(),
+                    item.line.number);
+    }
+    if (item.checked.failure) std::rethrow_exception(item.checked.failure);
+    reports.add(std::move(item.told));
+  };
+  geom::in_order<Item>(common_.execution("records"), kHeld, next, work, take);
+  return total;
+}
+
+std::size_t Checker::each_file(const std::string& text, const std::string& source,
+                               const cli::DroneFileOptions& drone_file, const geom::Shard& shard,
+                               Reports& reports) const {
+  std::size_t total = 0;
   const geom::Frame& frame = scenes_.map().spec().frame;
-  const std::string text = file.read_all();
-  for (const auto& one : cli::read_drone_file(text, file.name(), drone_file, frame)) {
+  for (const auto& one : cli::read_drone_file(text, source, drone_file, frame)) {
     if (!shard.takes(total++)) continue;
     for (const std::string& note : one.notes) common_.warn(one.id + ": " + note);
     const std::string corners = traj::corner_note(one.flown);
     if (!corners.empty()) common_.warn(one.id + ": " + corners);
-    answer(flown(one));
+    reports.add(reports.told(flown(one)));
   }
   return total;
+}
+
+std::size_t Checker::each(cli::InputFile& file, const cli::DroneFileOptions& drone_file,
+                          const geom::Shard& shard, Reports& reports) const {
+  if (drone_file.format.empty()) return each_record(file, shard, reports);
+  return each_file(file.read_all(), file.name(), drone_file, shard, reports);
 }
 
 }  // namespace checking

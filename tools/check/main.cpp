@@ -5,8 +5,6 @@
 #include <algorithm>
 
 #include "checker.h"
-#include "cli/batch.h"
-#include "cli/beyond_bounds.h"
 #include "cli/option/limit_options.h"
 #include "cli/option/option_check.h"
 #include "cli/option/output_option.h"
@@ -15,12 +13,11 @@
 #include "cli/tell.h"
 #include "flight_logs.h"
 #include "geom/record/agreed_room.h"
+#include "geom/record/named_map.h"
 #include "report_output.h"
+#include "reports.h"
 #include "together.h"
-#include "traj/record/certificate_record.h"
-#include "traj/record/junit_suite.h"
 #include "traj/record/verdict.h"
-#include "traj/record/verdict_table.h"
 
 namespace {
 
@@ -54,6 +51,9 @@ struct Options {
              .clearance = no_clearance ? traj::Clearance::left_out : traj::Clearance::measured},
             &drone_file.autopilot.flier,
             metres};
+  }
+  checking::ReportFiles files() {
+    return {report, certificate, profile, junit, together.parks(), drop_refused};
   }
 };
 
@@ -94,142 +94,8 @@ void Options::refuse_idle(const CLI::App& app) const {
   if (flight_log()) drone_file.require_used(cli::kFlightLogWord, "FILE is read as a flight log");
 }
 
-// Writes what each record came to, and counts.
-class Reports {
- public:
-  // All must outlive this.
-  Reports(Options& options, const cli::Sharding& sharding, const geom::BoxMap& map)
-      : map_(map),
-        profile_(options.profile),
-        parks_(options.together.parks()),
-        drops_(options.drop_refused),
-        output_(options.report),
-        out_(output_.file(), "output", sharding) {
-    if (!options.certificate.empty())
-      certificates_.emplace(options.certificate, "certificate", sharding);
-    profile_.open(sharding);
-    if (!options.junit.empty()) junit_.emplace(options.junit, cli::OutputKind::text);
-    if (output_.is_text()) table_.emplace();
-  }
-
-  void add(traj::ReportRecord report) {
-    const bool ok = traj::accepted(report);
-    report.dropped = !ok && drops_;
-    if (report.dropped) dropped_.push_back(report.id);
-    failed_ += !ok;
-    ++count_;
-    ok ? batch_.add_good()
-       : batch_.add_failed(verdict_word(report), report.id + ": " + in_words(report, map_));
-    if (!ok && report.result.reason == traj::Reason::bounds) {
-      beyond_.add(report.provenance, report.result.place, report.result.worst);
-    }
-    if (certificates_) certificates_->add(ok ? certificate(report) : std::string());
-    profile_.finish_record();
-    suite_.add(report, map_);
-    if (table_) return table_->add(report, map_);
-    out_.add(traj::to_json_line(report, map_));
-    out_.flush();
-  }
-
-  // Of all flights against one another.
-  void add(const checking::Together& together, const traj::TogetherResult& result) {
-    refused_ += !result.ok() || together.left_out() > 0;
-    suite_.add(result, together.task(), together.left_out());
-    if (table_) {
-      table_->add(result, together.task(), together.left_out());
-    } else {
-      for (const traj::RefusedPair& pair : result.refused) {
-        out_.add(traj::to_json_line(pair, together.task()));
-      }
-      out_.add(traj::to_json_line(result, together.task(), together.left_out()));
-    }
-    if (!certificates_) return;
-    for (const traj::ProvedPair& pair : result.proved) {
-      certificates_->add(traj::certificate_line(pair, together.task()));
-    }
-    if (result.ok() && together.left_out() == 0) {
-      certificates_->add(traj::certificate_line(together.task(), together.flights()));
-    }
-  }
-
-  // Of all flights against obstacles that move.
-  void add(const traj::MovingObstacles::Found& found) {
-    refused_ += !found.summary.ok();
-    suite_.add(found.conflicts, found.summary);
-    if (table_) {
-      table_->add(found.conflicts, found.summary);
-    } else {
-      for (const traj::MovingConflict& one : found.conflicts) {
-        out_.add(traj::to_json_line(one, found.summary.epoch));
-      }
-      out_.add(traj::to_json_line(found.summary));
-    }
-    if (!certificates_) return;
-    for (const traj::ProvedMoving& one : found.proved) {
-      certificates_->add(traj::certificate_line(one));
-    }
-    if (found.summary.ok()) certificates_->add(traj::certificate_line(found.claim));
-  }
-
-  // `total`: how many records all shards have.
-  cli::Exit commit(std::size_t total) {
-    const bool ok = drops_ ? refused_ == 0 && count_ > failed_ : refused_ + failed_ == 0;
-    const cli::Exit exit = ok ? cli::Exit::yes : cli::Exit::no;
-    if (table_) out_.add(table_->text(output_.colour()));
-    out_.commit(total, exit);
-    if (certificates_) certificates_->commit(total, exit);
-    profile_.commit(total, exit);
-    if (junit_) {
-      junit_->stream() << suite_.xml();
-      junit_->commit();
-    }
-    return exit;
-  }
-
-  // Ids of refused records that are left out.
-  const std::vector<std::string>& dropped() const { return dropped_; }
-  // Whether stderr says what failed.
-  bool tells() const { return output_.tells(); }
-
-  const cli::BeyondBounds& beyond() const { return beyond_; }
-
-  std::size_t count() const { return count_; }
-  std::size_t failed() const { return failed_; }
-  const cli::Batch& batch() const { return batch_; }
-
- private:
-  std::string certificate(const traj::ReportRecord& report) const {
-    traj::CertificateRecord record{report.id,          report.checked,    *report.exact,
-                                   map_.spec().bounds, report.provenance, report.limits,
-                                   report.overridden};
-    if (report.by_time) {
-      record.epoch = map_.spec().epoch;
-      record.start = report.time.start;
-      record.stands = parks_;
-    }
-    return to_json_line(record);
-  }
-
-  const geom::BoxMap& map_;
-  checking::ProfileFile& profile_;
-  std::optional<cli::OutputFile> junit_;
-  traj::JUnitSuite suite_;
-  std::optional<traj::VerdictTable> table_;
-  cli::BeyondBounds beyond_{map_};
-  bool parks_;
-  bool drops_;
-  const checking::ReportOutput& output_;
-  cli::RecordOutput out_;
-  std::optional<cli::RecordOutput> certificates_;
-  std::size_t count_ = 0;
-  std::size_t failed_ = 0;   // records
-  std::size_t refused_ = 0;  // of the checks of all flights
-  std::vector<std::string> dropped_;
-  cli::Batch batch_;
-};
-
 nlohmann::ordered_json check_together(const cli::Common& common, checking::Together& together,
-                                      bool exact, Reports& reports) {
+                                      bool exact, checking::Reports& reports) {
   const traj::TogetherResult result = together.check(exact, common.execution("pairs"));
   reports.add(together, result);
   const nlohmann::ordered_json verdict = {{"checked", result.pairs},
@@ -255,7 +121,7 @@ traj::MovingObstacles read_moving(const cli::Moving& option, const geom::BoxMap&
 
 nlohmann::ordered_json check_moving(const cli::Common& common, const traj::MovingObstacles& moving,
                                     const checking::Together& together, bool exact,
-                                    Reports& reports) {
+                                    checking::Reports& reports) {
   const auto found = moving.check(together.flights(), together.task(), together.left_out(), exact,
                                   common.execution("flights"));
   reports.add(found);
@@ -345,10 +211,8 @@ cli::Exit check_records(Options& options, cli::InputFile& file, cli::Scenes& sce
   }
   const checking::Checker checker(common, scenes, options.profile, options.together,
                                   options.rules());
-  Reports reports(options, sharding, scenes.map());
-  const std::size_t total =
-      checker.each(file, options.drone_file, sharding.shard(),
-                   [&](const traj::ReportRecord& report) { reports.add(report); });
+  checking::Reports reports(options.files(), sharding, scenes.map());
+  const std::size_t total = checker.each(file, options.drone_file, sharding.shard(), reports);
   if (options.drop_refused) options.together.drop(reports.dropped());
   nlohmann::ordered_json verdicts = {{"records", reports.count()},
                                      {"failed", reports.failed()},

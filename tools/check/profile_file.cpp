@@ -35,23 +35,22 @@ void ProfileFile::require_room(double extent) const {
                   kMostParts, extent / step_, step_, extent / kMostParts));
 }
 
-void ProfileFile::add(const std::string& id, const geom::CollisionScene& scene,
-                      const traj::Trajectory& trajectory, double duration) {
-  if (!out_ || duration <= 0) return;
+std::string ProfileFile::rows(const std::string& id, const geom::CollisionScene& scene,
+                              const traj::Trajectory& trajectory, double duration) const {
+  if (!out_ || duration <= 0) return {};
   require_room(duration);
-  lines_ += traj::profile_rows(id, traj::clearance_profile(scene, trajectory, step_));
+  return traj::profile_rows(id, traj::clearance_profile(scene, trajectory, step_));
 }
 
-void ProfileFile::add(const std::string& id, const geom::CollisionScene& scene,
-                      const geom::Polyline& path) {
-  if (!out_) return;
+std::string ProfileFile::rows(const std::string& id, const geom::CollisionScene& scene,
+                              const geom::Polyline& path) const {
+  if (!out_) return {};
   require_room(geom::length(path));
-  lines_ += traj::profile_rows(id, traj::clearance_profile(scene, path, step_));
+  return traj::profile_rows(id, traj::clearance_profile(scene, path, step_));
 }
 
-void ProfileFile::finish_record() {
-  if (out_) out_->add(lines_);
-  lines_.clear();
+void ProfileFile::add(const std::string& rows) {
+  if (out_) out_->add(rows);
 }
 
 void ProfileFile::commit(std::size_t total, cli::Exit exit) {

@@ -16,12 +16,13 @@ class ProfileFile {
   const std::string& file() const { return file_; }  // empty: not asked for
 
   void open(const cli::Sharding& sharding);  // which must outlive this
-  // The profile of a way, where it is open. Throws UsageError where a way so long (seconds, or
-  // metres) has more parts than can be written.
-  void add(const std::string& id, const geom::CollisionScene& scene,
-           const traj::Trajectory& trajectory, double duration);
-  void add(const std::string& id, const geom::CollisionScene& scene, const geom::Polyline& path);
-  void finish_record();  // what was added since the last is of one record
+  // The profile of a way, empty unless the file is open. Throws UsageError where a way so long
+  // (seconds, or metres) has more parts than can be written. Threads may call at once.
+  std::string rows(const std::string& id, const geom::CollisionScene& scene,
+                   const traj::Trajectory& trajectory, double duration) const;
+  std::string rows(const std::string& id, const geom::CollisionScene& scene,
+                   const geom::Polyline& path) const;
+  void add(const std::string& rows);  // of one record
   void commit(std::size_t total, cli::Exit exit);
 
  private:
@@ -30,7 +31,6 @@ class ProfileFile {
   std::string file_;
   double step_ = 0.1;  // seconds, or metres along a path
   std::optional<cli::RecordOutput> out_;
-  std::string lines_;
 };
 
 }  // namespace checking

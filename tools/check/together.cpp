@@ -30,11 +30,10 @@ void Together::refuse_idle(const CLI::App& app, bool drone_file) const {
   }
 }
 
-void Together::add(const traj::TrajectoryRecord& record, const geom::CollisionScene* scene,
+void Together::add(traj::TrajectoryRecord record, const std::optional<traj::FlightRoom>& room,
                    const std::string& source, std::size_t line) {
-  if (!collects()) return;
   if (!set_) set_.emplace(rule_, traj::FlightSet::Needs{asked_, moving_.asked()});
-  set_->add(record, scene, source, line);
+  set_->add(std::move(record), room, source, line);
 }
 
 void Together::refuse_path(const std::string& id, const std::string& source,

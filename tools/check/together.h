@@ -24,8 +24,8 @@ class Together {
   // Throws cli::UsageError for options that mean nothing, alone or with files of drones.
   void refuse_idle(const CLI::App& app, bool drone_file) const;
 
-  // traj::FlightSet::add, where flights are collected.
-  void add(const traj::TrajectoryRecord& record, const geom::CollisionScene* scene,
+  // traj::FlightSet::add; call where flights are collected.
+  void add(traj::TrajectoryRecord record, const std::optional<traj::FlightRoom>& room,
            const std::string& source, std::size_t line);
   // Throws InputError: a path has no times.
   [[noreturn]] void refuse_path(const std::string& id, const std::string& source,

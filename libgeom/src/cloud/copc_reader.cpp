@@ -4,9 +4,9 @@
 #include <cstring>
 #include <sstream>
 
-#include "base/in_order.h"
 #include "byte_source.h"
 #include "copc_hierarchy.h"
+#include "geom/base/in_order.h"
 #include "geom/cloud/copc.h"
 #include "las_header.h"
 #include "las_records.h"

@@ -77,8 +77,8 @@ void read_laz_items(ByteSource& bytes, const LazSetup& setup, std::uint64_t poin
 
 std::size_t laz_window(const Execution& run, std::uint64_t most_points) {
   if (run.threads <= 1) return 1;
-  const std::uint64_t most = 4 * std::uint64_t{run.threads};
-  return std::clamp<std::uint64_t>(most * kUsual / std::max<std::uint64_t>(most_points, 1), 1,
+  const std::uint64_t most = 12 * std::uint64_t{run.threads};
+  return std::clamp<std::uint64_t>(most * kUsual / std::max<std::uint64_t>(most_points, 1), 3,
                                    most);
 }
 

@@ -43,8 +43,8 @@ class LazChunk {
 void read_laz_items(ByteSource& bytes, const LazSetup& setup, std::uint64_t points,
                     const LazPointSink& sink);
 
-// How many chunks of at most so many points are read before they are decoded together: enough for
-// all threads, and no more points than these need of chunks of a usual size.
+// How many chunks of at most so many points are held at a time (in_order.h): enough for all
+// threads, and no more points than these need of chunks of a usual size.
 std::size_t laz_window(const Execution& run, std::uint64_t most_points);
 
 }  // namespace geom

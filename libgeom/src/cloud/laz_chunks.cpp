@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "base/in_order.h"
 #include "geom/base/error.h"
+#include "geom/base/in_order.h"
 #include "integer_decoder.h"
 #include "laz_chunk.h"
 

@@ -11,6 +11,7 @@
 #include "geom/base/rounding.h"
 #include "map/box_map_data.h"
 #include "packed_tree.h"
+#include "tree_bytes.h"
 
 namespace geom {
 namespace {
@@ -19,8 +20,6 @@ constexpr double kBoxesPerGroup = 512;  // where the whole map fits the budget,
 constexpr double kFewerPerGroup = 128;  // and where groups are built again and again
 
 constexpr double kMostSharedPad = 0.25;  // metres; of larger maps, groups have frames of their own
-constexpr std::size_t kMostBytesPerBox = 256;
-constexpr std::size_t kMostBytesPerGroup = 1024;
 constexpr std::size_t kManyBuilt = 32;  // groups: more than one question touches
 constexpr std::size_t kReadBetweenTrims = std::size_t{1} << 22;  // bytes
 
@@ -42,8 +41,7 @@ CollisionScene::Impl::Impl(BoxMap m, Vehicle v, double mg, const CollisionOption
               : fits                      ? kBoxesPerGroup
                                           : kFewerPerGroup);
   counts.groups = groups.size();
-  keeps_all = groups.size() <= 1 ||
-              map.size() * kMostBytesPerBox + groups.size() * kMostBytesPerGroup <= budget;
+  keeps_all = groups.size() <= 1 || most_tree_bytes(map.size(), groups.size()) <= budget;
   if (groups.size() > 1) start_embree();  // here rather than in a query
 }
 

@@ -26,7 +26,17 @@ void FlightSet::require_needs(const TrajectoryRecord& record, const TimedFlight&
        .advice = "give --separation"});
 }
 
+FlightRoom room_of(const geom::CollisionScene& scene, const TrajectoryRecord& record) {
+  return {scene.map().hash(), scene.half(),
+          geom::smaller_than_asked({scene.vehicle(), scene.margin()}, record.provenance)};
+}
+
 void FlightSet::add(const TrajectoryRecord& record, const geom::CollisionScene* scene,
+                    std::string_view source, std::size_t line) {
+  add(record, scene ? std::optional(room_of(*scene, record)) : std::nullopt, source, line);
+}
+
+void FlightSet::add(TrajectoryRecord record, const std::optional<FlightRoom>& room,
                     std::string_view source, std::size_t line) {
   const bool first = ids_.empty();
   if (!ids_.insert(record.id).second) {
@@ -36,19 +46,17 @@ void FlightSet::add(const TrajectoryRecord& record, const geom::CollisionScene* 
   }
   if (first) task_.epoch = record.time.epoch;
   geom::require_epoch_agrees(record.time.epoch, task_.epoch, source, line);
-  if (!scene || outside_domain(record.trajectory, {})) {
+  if (!room || outside_domain(record.trajectory, {})) {
     ++left_out_;
     return;
   }
-  TimedFlight flight{nullptr, record.time.starts(), scene->half()};
+  TimedFlight flight{nullptr, record.time.starts(), room->half};
   require_needs(record, flight, source, line);
-  task_.map = scene->map().hash();
-  task_.overridden =
-      task_.overridden ||
-      geom::smaller_than_asked({scene->vehicle(), scene->margin()}, record.provenance);
-  flight.trajectory = &trajectories_.emplace_back(record.trajectory);
+  task_.map = room->map;
+  task_.overridden = task_.overridden || room->overridden;
+  flight.trajectory = &trajectories_.emplace_back(std::move(record.trajectory));
   flights_.push_back(flight);
-  task_.ids.push_back(record.id);
+  task_.ids.push_back(std::move(record.id));
 }
 
 void FlightSet::drop(std::vector<std::string> ids) {

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -23,6 +24,14 @@
 #include "traj/record/trajectory_record.h"
 
 namespace traj {
+
+// What the scene of a record says of its flight.
+struct FlightRoom {
+  std::string map;  // its hash
+  Vec3 half = Vec3::Zero();
+  bool overridden = false;  // smaller than what the record asks for
+};
+FlightRoom room_of(const geom::CollisionScene& scene, const TrajectoryRecord& record);
 
 // Holds the trajectories that its flights point to: not to be copied.
 class FlightSet {
@@ -39,10 +48,13 @@ class FlightSet {
   FlightSet(const FlightSet&) = delete;
   FlightSet& operator=(const FlightSet&) = delete;
 
-  // A record over the scene that it was checked in. One that holds no trajectory (`scene` is null),
+  // A record with the room of the scene that it was checked in. One that holds no trajectory (no
+  // `room`, or `scene` is null),
   // or one that no distance can be computed of (domain.h), counts as left out. Throws
   // InputError(source, line, …) for an id that comes again, for another epoch than that of the
   // first record, and for a flight that lacks what is needed.
+  void add(TrajectoryRecord record, const std::optional<FlightRoom>& room, std::string_view source,
+           std::size_t line);
   void add(const TrajectoryRecord& record, const geom::CollisionScene* scene,
            std::string_view source, std::size_t line);
 
