@@ -19,11 +19,11 @@
 
 namespace geom {
 
-// Each kind of processor answers the same four questions. on, in, near: bit k says whether child k
-// may meet what is asked for; near writes out the squares of the distances too. push puts the
-// children of a mask on a stack of which kLanes more numbers may be overwritten, and returns how
-// many. push_near puts those that are near on one and their squares on another, but for the
-// nearest.
+// Each kind of processor answers the same five questions. on, in, near: bit k says whether child k
+// may meet what is asked for; near writes out the squares of the distances too. boxes: whether it
+// is a box, or none. push puts the children of a mask on a stack of which kLanes more numbers may
+// be overwritten, and returns how many. push_near puts those that are near on one and their squares
+// on another, but for the nearest.
 namespace lanes {
 
 // Of the children of a node that are near: the nearest, or none, and how many others there are.
@@ -59,6 +59,12 @@ struct Plain {
       }
       out |= static_cast<unsigned>(together) << k;
     }
+    return out;
+  }
+
+  static unsigned boxes(const BoxNode& node) {
+    unsigned out = 0;
+    for (std::size_t k = 0; k < BoxNode::kLanes; ++k) out |= node.child[k] >> 31 << k;
     return out;
   }
 
@@ -167,6 +173,13 @@ struct Avx2 {
     return out;
   }
 
+  SKYWAY_AVX2 static unsigned boxes(const BoxNode& node) {
+    const auto* const signs = reinterpret_cast<const float*>(node.child);
+    const int first = _mm256_movemask_ps(_mm256_load_ps(signs));
+    const int second = _mm256_movemask_ps(_mm256_load_ps(signs + 8));
+    return static_cast<unsigned>(first | second << 8);
+  }
+
   SKYWAY_AVX2 static __m256 squares_of(const BoxNode& node, const PointInTree& p,
                                        std::size_t half) {
     __m256 sum = _mm256_setzero_ps();
@@ -268,16 +281,20 @@ struct Avx512 {
     return _mm512_cmp_ps_mask(first, last, _CMP_LE_OQ);
   }
 
+  // How far beside the region, along the axis where that is most: compared once.
+  SKYWAY_AVX512 static __m512 beside(const BoxNode& node, const RegionInTree& r, std::size_t i) {
+    const __m512 below = _mm512_sub_ps(_mm512_load_ps(node.plane[i]), _mm512_set1_ps(r.high[i]));
+    const __m512 above = _mm512_sub_ps(_mm512_set1_ps(r.low[i]), _mm512_load_ps(node.plane[3 + i]));
+    return max(below, above);
+  }
+
   SKYWAY_AVX512 static unsigned in(const BoxNode& node, const RegionInTree& r) {
-    __mmask16 together = 0xffff;
-#pragma GCC unroll 3
-    for (std::size_t i = 0; i < 3; ++i) {
-      together = _mm512_mask_cmp_ps_mask(together, _mm512_load_ps(node.plane[i]),
-                                         _mm512_set1_ps(r.high[i]), _CMP_LE_OQ);
-      together = _mm512_mask_cmp_ps_mask(together, _mm512_load_ps(node.plane[3 + i]),
-                                         _mm512_set1_ps(r.low[i]), _CMP_GE_OQ);
-    }
-    return together;
+    const __m512 most = max(max(beside(node, r, 0), beside(node, r, 1)), beside(node, r, 2));
+    return _mm512_cmp_ps_mask(most, _mm512_setzero_ps(), _CMP_LE_OQ);
+  }
+
+  SKYWAY_AVX512 static unsigned boxes(const BoxNode& node) {
+    return _mm512_cmplt_epi32_mask(_mm512_load_si512(node.child), _mm512_setzero_si512());
   }
 
   SKYWAY_AVX512 static __m512 squares_of(const BoxNode& node, const PointInTree& p) {
@@ -339,5 +356,30 @@ struct Avx512 {
 };
 #endif
 
+// Of a lambda that is compiled anew for each kind of processor, with all that it calls.
+#define SKYWAY_ANY_LANES __attribute__((always_inline))
+
+#if defined(__x86_64__)
+template <class F>
+SKYWAY_AVX2 auto on_avx2(const F& f) {
+  return f(Avx2{});
+}
+template <class F>
+SKYWAY_AVX512 auto on_avx512(const F& f) {
+  return f(Avx512{});
+}
+#endif
+
 }  // namespace lanes
+
+// What f(lanes) returns, for the best lanes that this processor has. f is SKYWAY_ANY_LANES.
+template <class F>
+auto with_lanes(const F& f) {
+#if defined(__x86_64__)
+  if (lanes::Avx512::usable()) return lanes::on_avx512(f);
+  if (lanes::Avx2::usable()) return lanes::on_avx2(f);
+#endif
+  return f(lanes::Plain{});
+}
+
 }  // namespace geom

@@ -15,8 +15,8 @@
 namespace geom {
 namespace {
 
-constexpr double kBoxesPerGroup = 512;  // where the whole map fits the budget,
-constexpr double kFewerPerGroup = 128;  // and where groups are built again and again
+constexpr double kBoxesPerGroup = 128;         // as many as two levels of nodes find
+constexpr std::size_t kMostInOneGroup = 8192;  // of a map that fits the budget
 
 constexpr double kMostSharedPad = 0.25;  // metres; of larger maps, groups have frames of their own
 constexpr std::size_t kMostBytesPerBox = 256;
@@ -37,10 +37,10 @@ CollisionScene::Impl::Impl(BoxMap m, Vehicle v, double mg, const CollisionOption
     if (margin > 0) half[i] = next_up(half[i]);
   }
   free_bounds = shrink(map.spec().bounds, half);
-  const bool fits = map.size() <= budget / kMostBytesPerBox;
+  const bool one = map.size() <= std::min(kMostInOneGroup, budget / kMostBytesPerBox);
   group_tiles(options.boxes_per_group > 0 ? static_cast<double>(options.boxes_per_group)
-              : fits                      ? kBoxesPerGroup
-                                          : kFewerPerGroup);
+              : one                       ? static_cast<double>(kMostInOneGroup)
+                                          : kBoxesPerGroup);
   counts.groups = groups.size();
   keeps_all = groups.size() <= 1 ||
               map.size() * kMostBytesPerBox + groups.size() * kMostBytesPerGroup <= budget;

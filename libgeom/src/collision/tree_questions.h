@@ -53,16 +53,18 @@ struct SegmentInTree {
   }
 };
 
-// A region in the frame of a tree, outward. It may be infinite.
+// A region in the frame of a tree. It may be infinite. The nearest numbers do: planes are padded by
+// more than roundings lose.
 struct RegionInTree {
   std::array<float, 3> low;
   std::array<float, 3> high;
 
   RegionInTree(const TreeFrame& frame, const Aabb& region) {
+#pragma GCC unroll 3
     for (int i = 0; i < 3; ++i) {
       const auto k = static_cast<std::size_t>(i);
-      low[k] = float_down(std::max(region.min[i], frame.reach.min[i]) - frame.corner[i]);
-      high[k] = float_up(std::min(region.max[i], frame.reach.max[i]) - frame.corner[i]);
+      low[k] = static_cast<float>(std::max(region.min[i], frame.reach.min[i]) - frame.corner[i]);
+      high[k] = static_cast<float>(std::min(region.max[i], frame.reach.max[i]) - frame.corner[i]);
     }
   }
 };

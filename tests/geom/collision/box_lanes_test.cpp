@@ -153,6 +153,17 @@ TYPED_TEST(BoxLanes, PushTheChildrenOfAMaskInOrder) {
   for (unsigned mask = 0; mask < 0x10000; ++mask) expect_pushes<TypeParam>(n, mask);
 }
 
+TYPED_TEST(BoxLanes, TellBoxesFromNodes) {
+  if (!TypeParam::usable()) GTEST_SKIP() << "not on this processor";
+  BoxNode node = empty_node();
+  for (unsigned mask = 0; mask < 0x10000; mask += 37) {
+    for (std::uint32_t k = 0; k < BoxNode::kLanes; ++k) {
+      node.child[k] = (mask >> k & 1) != 0 ? BoxNode::kBox | k : 1000 + k;
+    }
+    EXPECT_EQ(TypeParam::boxes(node), mask);
+  }
+}
+
 TYPED_TEST(BoxLanes, PushNothingWhereNothingIsNear) {
   if (!TypeParam::usable()) GTEST_SKIP() << "not on this processor";
   support::Random random(11);
