@@ -55,6 +55,7 @@ class BinaryPeer {
     const Eigen::Vector3f low = frame_.at(region.min);
     const Eigen::Vector3f high = frame_.at(region.max);
     std::vector<std::size_t> found;
+    found.reserve(kFew);
     const auto meets = [&](const Node& node) { return node.meets(low, high) ? 0.0f : kMiss; };
     walk(meets, kAlways, [&](std::uint32_t k) {
       if (geom::overlap(region, boxes_[k])) found.push_back(name_[k]);

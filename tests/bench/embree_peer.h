@@ -85,6 +85,7 @@ class EmbreePeer {
 
   std::vector<std::size_t> boxes_meeting(const Aabb& region) const {
     Meeting meeting{this, region, {}};
+    meeting.found.reserve(kFew);
     const Vec3 centre = 0.5 * (region.min + region.max);
     ask(scaled_, frame_.at(centre).cwiseQuotient(half_.cast<float>()), 1, &meeting);
     std::sort(meeting.found.begin(), meeting.found.end());

@@ -62,53 +62,74 @@ class PacketPeer {
   // sky.
   std::vector<float> depths(const geom::picture::View& view) const {
     std::vector<float> out(static_cast<std::size_t>(view.width * view.height));
+    const Frame frame(view, middle_);
     for (int y = 0; y < view.height; y += 32) {
       for (int x = 0; x < view.width; x += 32) {
-        for (int k = 0; k < 64; ++k) cast(view, x + 4 * (k % 8), y + 4 * (k / 8), out.data());
+        for (int k = 0; k < 64; ++k) cast(frame, x + 4 * (k % 8), y + 4 * (k / 8), out.data());
       }
     }
     return out;
   }
 
  private:
-  void cast(const geom::picture::View& view, int x, int y, float* out) const {
+  static constexpr std::array<float, 16> kColumn{0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+  static constexpr std::array<float, 16> kRow{0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+
+  struct Frame {
+    int width;
+    Eigen::Vector3f eye;
+    Eigen::Vector3f right;  // from pixel to pixel
+    Eigen::Vector3f down;
+    Eigen::Vector3f corner;  // the direction of the first pixel
+
+    Frame(const geom::picture::View& view, const Vec3& middle)
+        : width(view.width),
+          eye((view.eye - middle).cast<float>()),
+          right((view.axes.col(0) / view.fx).cast<float>()),
+          down((view.axes.col(1) / view.fy).cast<float>()),
+          corner(view.axes.col(2).cast<float>() - static_cast<float>(view.cx) * right -
+                 static_cast<float>(view.cy) * down) {}
+  };
+
+  static void point(const Frame& frame, int x, int y, int axis, float* out) {
+    const float first = frame.corner[axis] + static_cast<float>(x) * frame.right[axis] +
+                        static_cast<float>(y) * frame.down[axis];
+    const float right = frame.right[axis];
+    const float down = frame.down[axis];
+    for (std::size_t i = 0; i < 16; ++i) out[i] = first + kColumn[i] * right + kRow[i] * down;
+  }
+
+  void cast(const Frame& frame, int x, int y, float* out) const {
     alignas(64) RTCRayHit16 packet;
-    alignas(64) std::array<int, 16> valid;
-    valid.fill(-1);
-    const Eigen::Vector3f eye = (view.eye - middle_).cast<float>();
-    const Eigen::Vector3f right = (view.axes.col(0) / view.fx).cast<float>();
-    const Eigen::Vector3f down = (view.axes.col(1) / view.fy).cast<float>();
-    const Eigen::Vector3f corner = view.axes.col(2).cast<float>() +
-                                   (static_cast<float>(x - view.cx) * right) +
-                                   (static_cast<float>(y - view.cy) * down);
-#pragma GCC unroll 16
-    for (int i = 0; i < 16; ++i) {
-      const auto u = static_cast<float>(i % 4);
-      const auto v = static_cast<float>(i / 4);
-      packet.ray.org_x[i] = eye.x();
-      packet.ray.org_y[i] = eye.y();
-      packet.ray.org_z[i] = eye.z();
-      packet.ray.dir_x[i] = corner.x() + u * right.x() + v * down.x();
-      packet.ray.dir_y[i] = corner.y() + u * right.y() + v * down.y();
-      packet.ray.dir_z[i] = corner.z() + u * right.z() + v * down.z();
-      packet.ray.tnear[i] = 1e-3f;
-      packet.ray.tfar[i] = std::numeric_limits<float>::infinity();
-      packet.ray.time[i] = 0;
-      packet.ray.mask[i] = ~0u;
-      packet.ray.id[i] = 0;
-      packet.ray.flags[i] = 0;
-      packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-    }
+    alignas(64) static constexpr std::array<int, 16> kAll{-1, -1, -1, -1, -1, -1, -1, -1,
+                                                          -1, -1, -1, -1, -1, -1, -1, -1};
+    std::fill_n(packet.ray.org_x, 16, frame.eye.x());
+    std::fill_n(packet.ray.org_y, 16, frame.eye.y());
+    std::fill_n(packet.ray.org_z, 16, frame.eye.z());
+    point(frame, x, y, 0, packet.ray.dir_x);
+    point(frame, x, y, 1, packet.ray.dir_y);
+    point(frame, x, y, 2, packet.ray.dir_z);
+    std::fill_n(packet.ray.tnear, 16, 1e-3f);
+    std::fill_n(packet.ray.tfar, 16, std::numeric_limits<float>::infinity());
+    std::fill_n(packet.ray.time, 16, 0.0f);
+    std::fill_n(packet.ray.mask, 16, ~0u);
+    std::fill_n(packet.ray.id, 16, 0u);
+    std::fill_n(packet.ray.flags, 16, 0u);
+    std::fill_n(packet.hit.geomID, 16, RTC_INVALID_GEOMETRY_ID);
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    rtcIntersect16(valid.data(), scene_, &context, &packet);
-    for (int i = 0; i < 16; ++i) {
-      float depth = packet.ray.tfar[i];
-      const float fall = (ground_ - eye.z()) / packet.ray.dir_z[i];
-      if (fall > 0) depth = std::min(depth, fall);
-      if (depth > std::numeric_limits<float>::max()) depth = 0;
-      out[(y + i / 4) * view.width + x + i % 4] = depth;
+    rtcIntersect16(kAll.data(), scene_, &context, &packet);
+    std::array<float, 16> depth;
+    const float fall = ground_ - frame.eye.z();
+    for (std::size_t i = 0; i < 16; ++i) {
+      const float ground =
+          packet.ray.dir_z[i] < 0 ? fall / packet.ray.dir_z[i] : packet.ray.tfar[i];
+      const float first = std::min(packet.ray.tfar[i], ground);
+      depth[i] = first > std::numeric_limits<float>::max() ? 0 : first;
+    }
+    for (int row = 0; row < 4; ++row) {
+      std::copy_n(depth.begin() + 4 * row, 4, out + (y + row) * frame.width + x);
     }
   }
 

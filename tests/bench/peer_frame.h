@@ -16,6 +16,9 @@ namespace bench {
 using geom::Aabb;
 using geom::Vec3;
 
+// Boxes that a region has room for at once: few regions have more.
+inline constexpr std::size_t kFew = 32;
+
 class PeerFrame {
  public:
   explicit PeerFrame(std::span<const Aabb> boxes) {

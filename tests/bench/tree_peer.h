@@ -110,6 +110,7 @@ class TreePeer {
     const Eigen::Vector3f low = frame_.at(region.min);
     const Eigen::Vector3f high = frame_.at(region.max);
     std::vector<std::size_t> found;
+    found.reserve(kFew);
     std::array<std::uint32_t, kStack> open;
     std::size_t count = 0;
     std::uint32_t next = 0;

@@ -235,6 +235,7 @@ struct Packet {
   SKYWAY_RAY_LANES void set(const RayLanes& rays, const Vec3& middle, int from) {
     float* const origins[] = {rtc.ray.org_x, rtc.ray.org_y, rtc.ray.org_z};
     float* const directions[] = {rtc.ray.dir_x, rtc.ray.dir_y, rtc.ray.dir_z};
+#pragma GCC unroll 3
     for (int i = 0; i < 3; ++i) {
       RayLanes::store(_mm512_sub_pd(rays.origin[i], _mm512_set1_pd(middle[i])), origins[i] + from);
       RayLanes::store(rays.direction[i], directions[i] + from);

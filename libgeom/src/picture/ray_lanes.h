@@ -30,13 +30,15 @@ struct RayLanes {
   SKYWAY_RAY_LANES RayLanes(const Rays& rays, int x, int y) {
     const __m512d u = _mm512_add_pd(_mm512_set_pd(3, 2, 1, 0, 3, 2, 1, 0), _mm512_set1_pd(x));
     const __m512d v = _mm512_add_pd(_mm512_set_pd(1, 1, 1, 1, 0, 0, 0, 0), _mm512_set1_pd(y));
-    __m512d* const own = rays.parallel() ? origin : direction;
-    __m512d* const shared = rays.parallel() ? direction : origin;
+#pragma GCC unroll 3
     for (int i = 0; i < 3; ++i) {
       const __m512d right = _mm512_mul_pd(u, _mm512_set1_pd(rays.right()[i]));
       const __m512d down = _mm512_mul_pd(v, _mm512_set1_pd(rays.down()[i]));
-      own[i] = _mm512_add_pd(_mm512_add_pd(_mm512_set1_pd(rays.corner()[i]), right), down);
-      shared[i] = _mm512_set1_pd(rays.shared()[i]);
+      const __m512d corner = _mm512_set1_pd(rays.corner()[i]);
+      const __m512d own = _mm512_add_pd(_mm512_add_pd(corner, right), down);
+      const __m512d shared = _mm512_set1_pd(rays.shared()[i]);
+      origin[i] = rays.parallel() ? own : shared;
+      direction[i] = rays.parallel() ? shared : own;
     }
   }
 
