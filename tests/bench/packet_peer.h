@@ -91,11 +91,8 @@ class PacketPeer {
                  static_cast<float>(view.cy) * down) {}
   };
 
-  static void point(const Frame& frame, int x, int y, int axis, float* out) {
-    const float first = frame.corner[axis] + static_cast<float>(x) * frame.right[axis] +
-                        static_cast<float>(y) * frame.down[axis];
-    const float right = frame.right[axis];
-    const float down = frame.down[axis];
+  // One axis of the directions, from that of the first pixel.
+  static void spread(float first, float right, float down, float* out) {
     for (std::size_t i = 0; i < 16; ++i) out[i] = first + kColumn[i] * right + kRow[i] * down;
   }
 
@@ -106,9 +103,11 @@ class PacketPeer {
     std::fill_n(packet.ray.org_x, 16, frame.eye.x());
     std::fill_n(packet.ray.org_y, 16, frame.eye.y());
     std::fill_n(packet.ray.org_z, 16, frame.eye.z());
-    point(frame, x, y, 0, packet.ray.dir_x);
-    point(frame, x, y, 1, packet.ray.dir_y);
-    point(frame, x, y, 2, packet.ray.dir_z);
+    const Eigen::Vector3f first =
+        frame.corner + static_cast<float>(x) * frame.right + static_cast<float>(y) * frame.down;
+    spread(first[0], frame.right[0], frame.down[0], packet.ray.dir_x);
+    spread(first[1], frame.right[1], frame.down[1], packet.ray.dir_y);
+    spread(first[2], frame.right[2], frame.down[2], packet.ray.dir_z);
     std::fill_n(packet.ray.tnear, 16, 1e-3f);
     std::fill_n(packet.ray.tfar, 16, std::numeric_limits<float>::infinity());
     std::fill_n(packet.ray.time, 16, 0.0f);
@@ -125,8 +124,8 @@ class PacketPeer {
     for (std::size_t i = 0; i < 16; ++i) {
       const float ground =
           packet.ray.dir_z[i] < 0 ? fall / packet.ray.dir_z[i] : packet.ray.tfar[i];
-      const float first = std::min(packet.ray.tfar[i], ground);
-      depth[i] = first > std::numeric_limits<float>::max() ? 0 : first;
+      const float least = std::min(packet.ray.tfar[i], ground);
+      depth[i] = least > std::numeric_limits<float>::max() ? 0 : least;
     }
     for (int row = 0; row < 4; ++row) {
       std::copy_n(depth.begin() + 4 * row, 4, out + (y + row) * frame.width + x);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "box_walk.h"
 #include "geom/base/precondition.h"
@@ -65,16 +66,27 @@ bool is_built(const CollisionScene::Impl& impl, std::size_t g) {
   return impl.groups[g].tree.load(std::memory_order_relaxed) != nullptr;
 }
 
-// The question as a group's tree takes it: the one that all share, or, of a map that is too large,
-// one of the group's own, which is kept in `own`.
-template <class Question, class Asked>
-SKYWAY_ANY_LANES inline const Question& in_frame_of(const GroupTree& group,
-                                                    const CollisionScene::Impl& impl,
-                                                    const Question& shared,
-                                                    std::optional<Question>& own,
-                                                    const Asked& asked) {
-  return impl.one_frame ? shared : own.emplace(asked.in(group.frame));
-}
+// A question as trees take it: the one that all share, or, where a map is too large for that, one
+// for each group, of which the last is kept.
+template <class Asked>
+class Question {
+ public:
+  using InTree = decltype(std::declval<Asked>().in(TreeFrame()));
+
+  Question(const CollisionScene::Impl& impl, const Asked& asked)
+      : asked_(asked), shared_(asked.in(impl.top.frame)), one_frame_(impl.one_frame) {}
+
+  const InTree& shared() const { return shared_; }
+  const InTree& of(const GroupTree& group) {
+    return one_frame_ ? shared_ : own_.emplace(asked_.in(group.frame));
+  }
+
+ private:
+  Asked asked_;
+  InTree shared_;
+  bool one_frame_;
+  std::optional<InTree> own_;
+};
 
 // overlap() without a branch: nearly all that are looked at do.
 inline bool meet(const Aabb& a, const Aabb& b) {
@@ -110,7 +122,7 @@ bool find_hit(CollisionScene::Impl& impl, const Asked& asked, const Seen& seen) 
   // The only group is never given up.
   const bool one = impl.groups.size() == 1;
   if (one && asked.passes_over(impl.touch(0).looks->skyline)) return false;
-  const auto question = asked.in(impl.top.frame);
+  Question question(impl, asked);
   return with_lanes([&](auto lanes) SKYWAY_ANY_LANES {
     using Lanes = decltype(lanes);
     const auto hits_group = [&](const GroupTree& group) SKYWAY_ANY_LANES {
@@ -119,15 +131,14 @@ bool find_hit(CollisionScene::Impl& impl, const Asked& asked, const Seen& seen) 
         seen(group.grown[k]);
         return true;
       };
-      std::optional<decltype(asked.in(group.frame))> own;
-      return any_meeting<Lanes>(group.nodes(), in_frame_of(group, impl, question, own, asked),
-                                hits);
+      return any_meeting<Lanes>(group.nodes(), question.of(group), hits);
     };
     if (one) return hits_group(impl.touch(0));
-    return any_meeting<Lanes>(
-        nodes_around(impl, asked.a, asked.b), question, [&](std::size_t g) SKYWAY_ANY_LANES {
-          return (is_built(impl, g) || asked.meets(impl.extent(g))) && visit(impl, g, hits_group);
-        });
+    return any_meeting<Lanes>(nodes_around(impl, asked.a, asked.b), question.shared(),
+                              [&](std::size_t g) SKYWAY_ANY_LANES {
+                                return (is_built(impl, g) || asked.meets(impl.extent(g))) &&
+                                       visit(impl, g, hits_group);
+                              });
   });
 }
 
@@ -196,7 +207,8 @@ bool lies_in(const CollisionScene::Impl& impl, const BoxNode* nodes, const Vec3&
 std::size_t find_nearest(CollisionScene::Impl& impl, const Vec3& p, double radius,
                          std::span<Nearest> room) {
   NearestFound found(room, radius);
-  const PointInTree at(impl.top.frame, p);
+  Question question(impl, NearAsked{p});
+  const PointInTree& at = question.shared();
   with_lanes([&](auto lanes) SKYWAY_ANY_LANES {
     using Lanes = decltype(lanes);
     if (impl.groups.size() == 1) {
@@ -206,8 +218,7 @@ std::size_t find_nearest(CollisionScene::Impl& impl, const Vec3& p, double radiu
       return;
     }
     const auto search_group = [&](const GroupTree& group) SKYWAY_ANY_LANES {
-      std::optional<PointInTree> own;
-      search<Lanes>(group, in_frame_of(group, impl, at, own, NearAsked{p}), p, found);
+      search<Lanes>(group, question.of(group), p, found);
     };
     const auto search_groups = [&](const BoxNode* nodes) {
       each_near<Lanes>(nodes, at, found.radius(), [&](std::size_t g) SKYWAY_ANY_LANES {
@@ -234,43 +245,34 @@ struct RegionAsked {
   RegionInTree in(const TreeFrame& frame) const { return {frame, region}; }
 };
 
-// Adds the boxes of a group. Returns whether there are too many now.
-template <class Lanes>
-SKYWAY_ANY_LANES inline bool add_meeting(const GroupTree& group, const RegionInTree& r,
-                                         const Aabb& region, std::size_t most,
-                                         MeetingBoxes& found) {
-  const auto add = [&](std::span<const std::uint32_t> boxes) SKYWAY_ANY_LANES {
-    std::size_t* const room = found.room(boxes.size());
-    std::size_t count = 0;
-    for (const std::uint32_t box : boxes) {
-      const std::uint32_t k = box & ~BoxNode::kBox;
-      room[count] = group.first + group.name[k];
-      count += meet(region, group.grown[k]) ? 1 : 0;
-    }
-    found.keep(count);
-    return found.size() > most;
-  };
-  return each_in_region<Lanes>(group.nodes(), r, add);
-}
-
 }  // namespace
 
 std::optional<std::vector<std::size_t>> find_meeting(CollisionScene::Impl& impl, const Aabb& region,
                                                      std::size_t most) {
   MeetingBoxes found;
-  const RegionInTree r(impl.top.frame, region);
+  Question question(impl, RegionAsked{region});
   const bool too_many = with_lanes([&](auto lanes) SKYWAY_ANY_LANES {
     using Lanes = decltype(lanes);
-    const auto add = [&](const GroupTree& group) SKYWAY_ANY_LANES {
-      std::optional<RegionInTree> own;
-      return add_meeting<Lanes>(group, in_frame_of(group, impl, r, own, RegionAsked{region}),
-                                region, most, found);
+    const auto add_group = [&](const GroupTree& group) SKYWAY_ANY_LANES {
+      const auto add = [&](std::span<const std::uint32_t> boxes) SKYWAY_ANY_LANES {
+        std::size_t* const room = found.room(boxes.size());
+        std::size_t count = 0;
+        for (const std::uint32_t box : boxes) {
+          const std::uint32_t k = box & ~BoxNode::kBox;
+          room[count] = group.first + group.name[k];
+          count += meet(region, group.grown[k]) ? 1 : 0;
+        }
+        found.keep(count);
+        return found.size() > most;
+      };
+      return each_in_region<Lanes>(group.nodes(), question.of(group), add);
     };
-    if (impl.groups.size() == 1) return visit(impl, 0, add);
-    return any_meeting<Lanes>(
-        nodes_around(impl, region.min, region.max), r, [&](std::size_t g) SKYWAY_ANY_LANES {
-          return (is_built(impl, g) || meet(region, impl.extent(g))) && visit(impl, g, add);
-        });
+    if (impl.groups.size() == 1) return visit(impl, 0, add_group);
+    const auto visit_group = [&](std::size_t g) SKYWAY_ANY_LANES {
+      return (is_built(impl, g) || meet(region, impl.extent(g))) && visit(impl, g, add_group);
+    };
+    return any_meeting<Lanes>(nodes_around(impl, region.min, region.max), question.shared(),
+                              visit_group);
   });
   if (too_many) return std::nullopt;
   return found.sorted();

@@ -250,17 +250,16 @@ struct Packet {
 
 struct DepthCast {
   RTCScene scene;
+  const Rays& rays;
   Vec3 middle;
-  double ground;
-  const double* sides;
+  Surfaces surfaces;
 };
 
-SKYWAY_RAY_LANES void cast_depths(const DepthCast& cast, const Rays& rays, int x, int y,
-                                  float* out) {
+SKYWAY_RAY_LANES std::array<float, kRays> cast_depths(const DepthCast& cast, int x, int y) {
   alignas(64) static constexpr int kAll[kRays] = {-1, -1, -1, -1, -1, -1, -1, -1,
                                                   -1, -1, -1, -1, -1, -1, -1, -1};
-  const RayLanes first(rays, x, y);
-  const RayLanes second(rays, x, y + 2);
+  const RayLanes first(cast.rays, x, y);
+  const RayLanes second(cast.rays, x, y + 2);
   Packet packet;
   packet.set(first, cast.middle, 0);
   packet.set(second, cast.middle, RayLanes::kLanes);
@@ -268,23 +267,23 @@ SKYWAY_RAY_LANES void cast_depths(const DepthCast& cast, const Rays& rays, int x
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   rtcIntersect16(kAll, cast.scene, &context, &packet.rtc);
-  write_depths(first, packet.met(0), cast.sides, cast.ground, kNear, out);
-  write_depths(second, packet.met(RayLanes::kLanes), cast.sides, cast.ground, kNear,
-               out + RayLanes::kLanes);
+  std::array<float, kRays> out;
+  write_depths(first, packet.met(0), cast.surfaces, out.data());
+  write_depths(second, packet.met(RayLanes::kLanes), cast.surfaces, out.data() + RayLanes::kLanes);
+  return out;
 }
 #endif
 
 }  // namespace
 
 std::array<float, kBlock * kBlock> PictureScene::depths(const Rays& rays, int x, int y) const {
-  std::array<float, kRays> out;
 #if defined(__x86_64__)
   if (RayLanes::usable()) {
     const double* const sides = boxes_.empty() ? nullptr : boxes_.front().min.data();
-    cast_depths({embree_->scene, middle_, ground_, sides}, rays, x, y, out.data());
-    return out;
+    return cast_depths({embree_->scene, rays, middle_, {sides, ground_, kNear}}, x, y);
   }
 #endif
+  std::array<float, kRays> out;
   const Block block = cast(rays, x, y);
   std::transform(block.begin(), block.end(), out.begin(), [](const Hit& hit) { return hit.depth; });
   return out;

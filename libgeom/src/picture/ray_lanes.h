@@ -66,11 +66,16 @@ struct MetByRays {
   unsigned none;
 };
 
-// Writes eight depths; 0 of the sky. `sides` are those of all boxes. The ground hides what is below
-// it, from `near` on.
+// What can be met: the sides of all boxes, and the ground, which hides what is below it.
+struct Surfaces {
+  const double* sides;
+  double ground;
+  double near;  // metres in front of the eye
+};
+
+// Writes eight depths; 0 of the sky.
 SKYWAY_RAY_LANES inline void write_depths(const RayLanes& rays, const MetByRays& met,
-                                          const double* sides, double ground, double near,
-                                          float* out) {
+                                          const Surfaces& surfaces, float* out) {
   const __m256i geometry = RayLanes::load(met.geometry);
   const __mmask8 is_face = _mm256_cmpeq_epi32_mask(geometry, _mm256_setzero_si256());
   const __mmask8 is_none =
@@ -83,17 +88,18 @@ SKYWAY_RAY_LANES inline void write_depths(const RayLanes& rays, const MetByRays&
       33);
   const __m512i axis =
       _mm512_sub_epi64(side, _mm512_add_epi64(third, _mm512_add_epi64(third, third)));
-  const __m512d plane = _mm512_mask_i64gather_pd(_mm512_setzero_pd(), is_face, side, sides, 8);
+  const __m512d plane =
+      _mm512_mask_i64gather_pd(_mm512_setzero_pd(), is_face, side, surfaces.sides, 8);
   const __m512d none = _mm512_set1_pd(std::numeric_limits<double>::infinity());
   __m512d first =
       _mm512_mask_div_pd(none, is_face, _mm512_sub_pd(plane, RayLanes::along(rays.origin, axis)),
                          RayLanes::along(rays.direction, axis));
   first = _mm512_mask_cvtps_pd(first, is_tube, _mm256_loadu_ps(met.depth));
   const __m512d down = rays.direction[2];
-  const __m512d fall = _mm512_sub_pd(_mm512_set1_pd(ground), rays.origin[2]);
+  const __m512d fall = _mm512_sub_pd(_mm512_set1_pd(surfaces.ground), rays.origin[2]);
   __mmask8 is_ground = _mm512_cmp_pd_mask(down, _mm512_setzero_pd(), _CMP_LT_OQ);
-  is_ground = _mm512_mask_cmp_pd_mask(is_ground, fall, _mm512_mul_pd(_mm512_set1_pd(near), down),
-                                      _CMP_LT_OQ);
+  is_ground = _mm512_mask_cmp_pd_mask(
+      is_ground, fall, _mm512_mul_pd(_mm512_set1_pd(surfaces.near), down), _CMP_LT_OQ);
   is_ground = _mm512_mask_cmp_pd_mask(is_ground, _mm512_mul_pd(first, down), fall, _CMP_LT_OQ);
   first = _mm512_mask_div_pd(first, is_ground, fall, down);
   const auto seen = static_cast<__mmask8>(is_ground | ~is_none);
