@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include "box_lanes.h"
 #include "box_tree.h"
@@ -14,22 +15,33 @@
 namespace geom {
 namespace walk {
 
+// Of walks whose boxes all are asked about.
+struct NeverSure {};
+
 inline constexpr std::size_t kStack = (BoxNode::kLanes - 1) * BoxTree::kMostDepth + 1;
 
-// Asks f about every box whose nodes `children` lets through, until one answers true. Of each node
-// one child comes next at once and the others go onto the stack, without a loop. The first there is
-// none: what would be three branches a node that no processor foresees is one.
-template <class Lanes, class Question, class F>
+// Asks f about every box whose nodes `children` lets through, until one answers true; sure(box) of
+// one that surely is met ends the walk at once. Of each node one child comes next and the others go
+// onto the stack, without a loop. The first there is none: what would be three branches a node that
+// no processor foresees is one.
+template <class Lanes, class Question, class F, class Sure>
 SKYWAY_ANY_LANES inline bool any(const BoxNode* nodes,
-                                 unsigned (*children)(const BoxNode&, const Question&),
-                                 const Question& question, const F& f) {
+                                 lanes::Met (*children)(const BoxNode&, const Question&),
+                                 const Question& question, const F& f, const Sure& sure) {
   std::array<std::uint32_t, kStack + BoxNode::kLanes> open;
   open[0] = BoxNode::kNone;
   std::size_t count = 1;
   std::uint32_t next = 0;
   for (;;) {
     const BoxNode& node = nodes[next];
-    const unsigned mask = children(node, question);
+    const lanes::Met met = children(node, question);
+    if constexpr (!std::is_same_v<Sure, NeverSure>) {
+      if (const unsigned boxes = met.surely & Lanes::boxes(node); boxes != 0) {
+        sure(node.child[std::countr_zero(boxes)] & ~BoxNode::kBox);
+        return true;
+      }
+    }
+    const unsigned mask = met.may;
     const int last = std::bit_width(mask | 1) - 1;
     const std::uint32_t first = node.child[last];
     const std::uint32_t waiting = open[count - 1];
@@ -58,7 +70,7 @@ SKYWAY_ANY_LANES inline bool in_batches(const BoxNode* nodes, const RegionInTree
   std::size_t boxes = 0;
   do {
     const BoxNode& node = nodes[open[--count]];
-    const unsigned mask = Lanes::in(node, r);
+    const unsigned mask = Lanes::in(node, r).may;
     const unsigned leaves = Lanes::boxes(node);
     count += Lanes::push(node, mask & ~leaves, &open[count]);
     boxes += Lanes::push(node, mask & leaves, &batch[boxes]);
@@ -105,17 +117,21 @@ SKYWAY_ANY_LANES inline void nearest(const BoxNode* nodes, const PointInTree& p,
 }  // namespace walk
 
 // Calls f(box) for boxes of a tree that the closed segment may meet, until it returns true; returns
-// whether it did. All that the segment meets are among them. Each of these functions is compiled
-// into its caller, who chose the lanes once for all trees that a question visits.
-template <class Lanes, class F>
-SKYWAY_ANY_LANES inline bool any_meeting(const BoxNode* nodes, const SegmentInTree& s, const F& f) {
-  return !s.outside && walk::any<Lanes>(nodes, Lanes::on, s, f);
+// whether it did. All that the segment meets are among them. Where `sure` is given, a box that is
+// met whatever roundings did ends the search: then sure(box) is called, and f is not. Each of these
+// functions is compiled into its caller, who chose the lanes once for all trees that a question
+// visits.
+template <class Lanes, class F, class Sure = walk::NeverSure>
+SKYWAY_ANY_LANES inline bool any_meeting(const BoxNode* nodes, const SegmentInTree& s, const F& f,
+                                         const Sure& sure = {}) {
+  return !s.outside && walk::any<Lanes>(nodes, Lanes::on, s, f, sure);
 }
 
 // The same of the boxes that the closed region may meet.
-template <class Lanes, class F>
-SKYWAY_ANY_LANES inline bool any_meeting(const BoxNode* nodes, const RegionInTree& r, const F& f) {
-  return walk::any<Lanes>(nodes, Lanes::in, r, f);
+template <class Lanes, class F, class Sure = walk::NeverSure>
+SKYWAY_ANY_LANES inline bool any_meeting(const BoxNode* nodes, const RegionInTree& r, const F& f,
+                                         const Sure& sure = {}) {
+  return walk::any<Lanes>(nodes, Lanes::in, r, f, sure);
 }
 
 // The same, but f gets some boxes at a time: those of a batch, as kBox | number.

@@ -126,12 +126,13 @@ bool find_hit(CollisionScene::Impl& impl, const Asked& asked, const Seen& seen) 
   return with_lanes([&](auto lanes) SKYWAY_ANY_LANES {
     using Lanes = decltype(lanes);
     const auto hits_group = [&](const GroupTree& group) SKYWAY_ANY_LANES {
+      const auto see = [&](std::size_t k) SKYWAY_ANY_LANES { seen(group.grown[k]); };
       const auto hits = [&](std::size_t k) SKYWAY_ANY_LANES {
         if (!asked.meets(group.grown[k])) return false;
-        seen(group.grown[k]);
+        see(k);
         return true;
       };
-      return any_meeting<Lanes>(group.nodes(), question.of(group), hits);
+      return any_meeting<Lanes>(group.nodes(), question.of(group), hits, see);
     };
     if (one) return hits_group(impl.touch(0));
     return any_meeting<Lanes>(nodes_around(impl, asked.a, asked.b), question.shared(),

@@ -93,6 +93,23 @@ void expect_all_on(const World& w, const Vec3& a, const Vec3& b) {
   });
 }
 
+// A search that a box may end of which roundings leave no doubt.
+void expect_hit_as_exactly(const World& w, const Vec3& a, const Vec3& b) {
+  const auto hits = [&](std::size_t k) { return segment_hits(a, b, w.boxes[w.built.order[k]]); };
+  bool expected = false;
+  for (std::size_t k = 0; k < w.boxes.size(); ++k) expected = expected || hits(k);
+  const auto sure = [&](std::size_t k) { EXPECT_TRUE(hits(k)); };
+  const BoxNode* const nodes = w.built.tree.nodes.data();
+  const SegmentInTree s(w.built.tree.frame, a, b);
+  const RegionInTree r(w.built.tree.frame, {a, a});
+  each_kind([&](auto lanes) SKYWAY_ANY_LANES {
+    EXPECT_EQ(any_meeting<decltype(lanes)>(nodes, s, hits, sure), expected);
+    if (a == b) {
+      EXPECT_EQ(any_meeting<decltype(lanes)>(nodes, r, hits, sure), expected);
+    }
+  });
+}
+
 void expect_all_in(const World& w, const Aabb& region) {
   const BoxNode* const nodes = w.built.tree.nodes.data();
   const RegionInTree r(w.built.tree.frame, region);
@@ -148,6 +165,7 @@ TEST_P(BoxWalk, FindsAllThatIsMetAndAllThatIsNear) {
       Vec3 b = random.below(4) ? point(random, w) : a;
       if (random.below(3) == 0) b[random.below(3)] = a[random.below(3)];
       expect_all_on(w, a, b);
+      expect_hit_as_exactly(w, a, b);
       expect_all_in(w, {a.cwiseMin(b), a.cwiseMax(b)});
       // As far as a box, to the last digit.
       const auto box = static_cast<std::size_t>(random.below(static_cast<int>(w.boxes.size())));
