@@ -2,7 +2,7 @@
 
 // What is asked of the sixteen children of a node at once, with AVX-512 or AVX2 where the processor
 // has it. Roundings differ between these, and so do candidates; answers never do, since who asks
-// decides each candidate in double.
+// decides in double what is in doubt.
 
 #include <array>
 #include <bit>
