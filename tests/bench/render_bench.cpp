@@ -1,4 +1,5 @@
-// Frames of 640 x 480, colour and depth, from random places in the city's streets.
+// Frames of 640 x 480, colour and depth, from random places in the city's streets; depth also by
+// Embree's packets of sixteen rays alone.
 
 #include <benchmark/benchmark.h>
 
@@ -8,6 +9,7 @@
 #include "geom/picture/camera.h"
 #include "geom/picture/image_file.h"
 #include "geom/picture/take.h"
+#include "packet_peer.h"
 #include "support/city.h"
 #include "support/random_city.h"
 
@@ -70,8 +72,22 @@ void colour_and_depth(benchmark::State& state) { frames(state, {true, true, fals
 void depth_alone(benchmark::State& state) { frames(state, {false, true, false, 1}, false); }
 void colour_as_y4m(benchmark::State& state) { frames(state, {true, false, false, 1}, true); }
 
+void depth_by_packets_alone(benchmark::State& state) {
+  static const bench::PacketPeer peer(scene().boxes(), scene().middle(), scene().ground());
+  const auto all = views();
+  std::size_t at = 0;
+  for (auto _ : state) {
+    std::vector<std::vector<float>> pictures;
+    for (std::size_t k = 0; k < kBatch; ++k) pictures.push_back(peer.depths(all[at + k]));
+    benchmark::DoNotOptimize(pictures);
+    at = (at + kBatch) % kViews;
+  }
+  state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * kBatch));
+}
+
 BENCHMARK(colour_and_depth)->Arg(1)->Arg(2)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK(depth_alone)->Arg(1)->Arg(2)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(depth_by_packets_alone)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK(colour_as_y4m)->Arg(2)->MeasureProcessCPUTime()->UseRealTime();
 
 }  // namespace

@@ -1,17 +1,23 @@
-// scene_bench MAP [QUERIES [SEED]]: the collision structure beside Embree alone and a plain tree of
-// eight, on the same grown boxes and questions, through the same exact predicates, in turns of a
-// few hundred questions. Prints thread CPU time a question, ratios to the better peer, and how many
-// answers differ. Vehicle box:1,1,1.
+// scene_bench MAP [QUERIES [SEED]]: the collision structure beside a tree of eight, a binary tree
+// and Embree alone, on the same grown boxes and questions, through the same exact predicates, in
+// turns of a few hundred questions. Prints thread CPU time a question, the ratio to the best peer,
+// and how many answers differ. Vehicle box:1,1,1.
 
 #include <fmt/format.h>
 #include <time.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <functional>
-#include <string>
+#include <span>
+#include <utility>
+#include <vector>
 
+#include "binary_peer.h"
 #include "embree_peer.h"
 #include "geom/base/random.h"
+#include "geom/collision/collision.h"
 #include "geom/map/box_map_file.h"
 #include "tree_peer.h"
 
@@ -21,6 +27,7 @@ using geom::Aabb;
 using geom::Vec3;
 
 constexpr std::size_t kTurn = 256;
+constexpr std::size_t kAtOnePlace = 2048;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Question {
@@ -34,23 +41,27 @@ double thread_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-// Segments of 5 to 50 m, 1 to 60 m above the ground: all over the map, or within 200 m.
+// Segments of 5 to 50 m, 1 to 60 m above the ground: all over the map, or so many after each other
+// within 100 m of a place.
 std::vector<Question> questions(const Aabb& bounds, bool scattered, std::size_t count,
                                 std::uint64_t seed) {
   geom::SplitMix64 random(seed);
   const auto between = [&](double low, double high) { return random.uniform(low, high); };
-  Vec3 low = bounds.min;
-  Vec3 high = bounds.max;
-  if (!scattered) {
-    const Vec3 centre = 0.5 * (low + high);
-    low.head<2>() = low.head<2>().cwiseMax(centre.head<2>() - Eigen::Vector2d::Constant(100));
-    high.head<2>() = high.head<2>().cwiseMin(centre.head<2>() + Eigen::Vector2d::Constant(100));
-  }
+  Aabb around = bounds;
   std::vector<Question> out;
   while (out.size() < count) {
-    const Vec3 a(between(low[0], high[0]), between(low[1], high[1]), between(1, 60));
-    const Vec3 d(between(-1, 1), between(-1, 1), between(-0.3, 0.3));
-    if (d.norm() > 1 || d.norm() < 0.1) continue;
+    if (!scattered && out.size() % kAtOnePlace == 0) {
+      const Vec3 place(between(bounds.min[0], bounds.max[0]), between(bounds.min[1], bounds.max[1]),
+                       0);
+      around = {(place - Vec3::Constant(100)).cwiseMax(bounds.min),
+                (place + Vec3::Constant(100)).cwiseMin(bounds.max)};
+    }
+    const Vec3 a(between(around.min[0], around.max[0]), between(around.min[1], around.max[1]),
+                 between(1, 60));
+    Vec3 d;
+    do {
+      d = {between(-1, 1), between(-1, 1), between(-0.3, 0.3)};
+    } while (d.norm() > 1 || d.norm() < 0.1);
     out.push_back({a, a + d.normalized() * between(5, 50)});
   }
   return out;
@@ -59,11 +70,11 @@ std::vector<Question> questions(const Aabb& bounds, bool scattered, std::size_t 
 // The sum of the answers in a turn, so that they can be compared.
 using Ask = std::function<double(const Question&)>;
 
+constexpr std::size_t kAsked = 4;
+
 struct Asked {
   const char* what;
-  Ask ours;
-  Ask embree;
-  Ask tree;
+  std::array<Ask, kAsked> who;  // ourselves first
 };
 
 double sum(const std::vector<std::size_t>& found) {
@@ -73,30 +84,30 @@ double sum(const std::vector<std::size_t>& found) {
 }
 
 void compare(const Asked& asked, const char* where, std::span<const Question> list) {
-  const Ask* const all[] = {&asked.ours, &asked.embree, &asked.tree};
-  double seconds[3] = {};
+  std::array<double, kAsked> seconds{};
+  std::array<std::vector<double>, kAsked> answers;
   std::size_t differ = 0;
-  std::vector<double> answers[3];
   for (const Question& q : list.first(std::min(list.size(), kTurn))) {
-    for (const Ask* ask : all) (*ask)(q);
+    for (const Ask& ask : asked.who) ask(q);
   }
   for (std::size_t begin = 0, turn = 0; begin < list.size(); begin += kTurn, ++turn) {
     const auto some = list.subspan(begin, std::min(kTurn, list.size() - begin));
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t who = (k + turn) % 3;
+    for (std::size_t k = 0; k < kAsked; ++k) {
+      const std::size_t who = (k + turn) % kAsked;
       answers[who].clear();
       const double start = thread_seconds();
-      for (const Question& q : some) answers[who].push_back((*all[who])(q));
+      for (const Question& q : some) answers[who].push_back(asked.who[who](q));
       seconds[who] += thread_seconds() - start;
     }
     for (std::size_t i = 0; i < some.size(); ++i) {
-      differ += answers[0][i] != answers[1][i] || answers[0][i] != answers[2][i];
+      const auto other = [&](const std::vector<double>& a) { return a[i] != answers[0][i]; };
+      differ += std::any_of(answers.begin(), answers.end(), other) ? 1 : 0;
     }
   }
-  const double each = 1e9 / static_cast<double>(list.size());
-  fmt::print("{:13} {:9} | {:8.0f} {:8.0f} {:8.0f} | {:5.2f} | {}\n", asked.what, where,
-             seconds[0] * each, seconds[1] * each, seconds[2] * each,
-             seconds[0] / std::min(seconds[1], seconds[2]), differ);
+  fmt::print("{:13} {:9} |", asked.what, where);
+  for (const double s : seconds) fmt::print(" {:7.0f}", 1e9 * s / static_cast<double>(list.size()));
+  fmt::print(" | {:5.2f} | {}\n",
+             seconds[0] / *std::min_element(seconds.begin() + 1, seconds.end()), differ);
 }
 
 }  // namespace
@@ -111,8 +122,10 @@ int main(int argc, char** argv) {
   const geom::CollisionScene scene(map, {"box:1,1,1", {1, 1, 1}}, 0, options);
   std::vector<Aabb> grown;
   for (std::size_t i = 0; i < map.size(); ++i) grown.push_back(scene.grown(i));
-  const bench::EmbreePeer embree(grown);
-  const bench::TreePeer tree(grown);
+  const Vec3 half(20, 20, 5);  // of a region
+  const bench::TreePeer eight(grown);
+  const bench::BinaryPeer two(grown);
+  const bench::EmbreePeer embree(grown, half);
   const Aabb all = *geom::bounds(grown);
   const double start = thread_seconds();
   for (std::size_t i = 0; i < map.size(); ++i) {  // builds every group
@@ -121,24 +134,31 @@ int main(int argc, char** argv) {
   }
   fmt::print("{} boxes; trees {} MB, touched in {:.2f} s\n", map.size(),
              scene.counts().most_bytes >> 20, thread_seconds() - start);
-  fmt::print("{:13} {:9} | {:>8} {:>8} {:>8} | ratio | differ\n", "ns", "", "Skyway", "Embree",
-             "tree");
-  const auto around = [](const Question& q) {
-    return Aabb{q.a - Vec3(20, 20, 5), q.a + Vec3(20, 20, 5)};
+  fmt::print("{:13} {:9} | {:>7} {:>7} {:>7} {:>7} | ratio | differ\n", "ns", "", "Skyway", "eight",
+             "two", "Embree");
+  const auto around = [&](const Question& q) { return Aabb{q.a - half, q.a + half}; };
+  // `ask(peer, q)` of each of the three peers.
+  const auto beside = [&](const char* what, Ask ours, const auto& ask) {
+    return Asked{what,
+                 {std::move(ours), [&eight, ask](const Question& q) { return ask(eight, q); },
+                  [&two, ask](const Question& q) { return ask(two, q); },
+                  [&embree, ask](const Question& q) { return ask(embree, q); }}};
   };
   const Asked kinds[] = {
-      {"segment", [&](const Question& q) { return 1.0 * scene.hits(q.a, q.b); },
-       [&](const Question& q) { return 1.0 * embree.hits(q.a, q.b); },
-       [&](const Question& q) { return 1.0 * tree.hits(q.a, q.b); }},
-      {"point", [&](const Question& q) { return 1.0 * scene.hits(q.a); },
-       [&](const Question& q) { return 1.0 * embree.hits(q.a, q.a); },
-       [&](const Question& q) { return 1.0 * tree.hits(q.a, q.a); }},
-      {"nearest", [&](const Question& q) { return scene.nearest(q.a, kInfinity)->distance; },
-       [&](const Question& q) { return embree.nearest(q.a); },
-       [&](const Question& q) { return tree.nearest(q.a); }},
-      {"boxes_meeting", [&](const Question& q) { return sum(scene.boxes_meeting(around(q))); },
-       [&](const Question& q) { return sum(embree.boxes_meeting(around(q))); },
-       [&](const Question& q) { return sum(tree.boxes_meeting(around(q))); }},
+      beside(
+          "segment", [&](const Question& q) { return 1.0 * scene.hits(q.a, q.b); },
+          [](const auto& peer, const Question& q) { return 1.0 * peer.hits(q.a, q.b); }),
+      beside(
+          "point", [&](const Question& q) { return 1.0 * scene.hits(q.a); },
+          [](const auto& peer, const Question& q) { return 1.0 * peer.hits(q.a, q.a); }),
+      beside(
+          "nearest box", [&](const Question& q) { return scene.nearest(q.a, kInfinity)->distance; },
+          [](const auto& peer, const Question& q) { return peer.nearest(q.a); }),
+      beside(
+          "region", [&](const Question& q) { return sum(scene.boxes_meeting(around(q))); },
+          [around](const auto& peer, const Question& q) {
+            return sum(peer.boxes_meeting(around(q)));
+          }),
   };
   for (const bool scattered : {true, false}) {
     const auto list = questions(all, scattered, count, seed);

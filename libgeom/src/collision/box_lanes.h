@@ -2,7 +2,7 @@
 
 // What is asked of the sixteen children of a node at once, with AVX-512 or AVX2 where the processor
 // has it. Roundings differ between these, and so do candidates; answers never do, since who asks
-// decides each candidate in double.
+// decides in double what is in doubt.
 
 #include <array>
 #include <bit>
@@ -20,12 +20,19 @@
 
 namespace geom {
 
-// Each kind of processor answers the same four questions. on, in, near: bit k says whether child k
-// may meet what is asked for; near writes out the squares of the distances too. push puts the
-// children of a mask on a stack of which kLanes more numbers may be overwritten, and returns how
-// many. push_near puts those that are near on one and their squares on another, but for the
-// nearest.
+// Each kind of processor answers the same five questions. on, in, near: bit k says whether child k
+// may meet what is asked for, and of on and in also whether it surely does; near writes out the
+// squares of the distances too. boxes: whether it is a box, or none. push puts the children of a
+// mask on a stack of which kLanes more numbers may be overwritten, and returns how many. push_near
+// puts those that are near on one and their squares on another, but for the nearest.
 namespace lanes {
+
+// Of the children of a node: which may meet what is asked for, and which do, whatever roundings
+// did.
+struct Met {
+  unsigned may = 0;
+  unsigned surely = 0;
+};
 
 // Of the children of a node that are near: the nearest, or none, and how many others there are.
 struct Near {
@@ -36,9 +43,9 @@ struct Near {
 struct Plain {
   static constexpr bool usable() { return true; }
 
-  static unsigned on(const BoxNode& node, const SegmentInTree& s) {
+  static Met on(const BoxNode& node, const SegmentInTree& s) {
     const float* const planes = &node.plane[0][0];
-    unsigned out = 0;
+    Met out;
     for (std::size_t k = 0; k < BoxNode::kLanes; ++k) {
       float first = 0;
       float last = 1;
@@ -46,20 +53,29 @@ struct Plain {
         first = std::max(first, planes[s.enter[i] + k] * s.inverse[i] + s.start[i]);
         last = std::min(last, planes[s.leave[i] + k] * s.inverse[i] + s.start[i]);
       }
-      out |= static_cast<unsigned>(first <= last) << k;
+      out.may |= static_cast<unsigned>(first <= last) << k;
+      out.surely |= static_cast<unsigned>(first + s.sure <= last) << k;
     }
     return out;
   }
 
-  static unsigned in(const BoxNode& node, const RegionInTree& r) {
-    unsigned out = 0;
+  static Met in(const BoxNode& node, const RegionInTree& r) {
+    Met out;
     for (std::size_t k = 0; k < BoxNode::kLanes; ++k) {
-      bool together = true;
+      float most = -std::numeric_limits<float>::infinity();
       for (std::size_t i = 0; i < 3; ++i) {
-        together &= node.plane[i][k] <= r.high[i] && r.low[i] <= node.plane[3 + i][k];
+        most =
+            std::max(most, std::max(node.plane[i][k] - r.high[i], r.low[i] - node.plane[3 + i][k]));
       }
-      out |= static_cast<unsigned>(together) << k;
+      out.may |= static_cast<unsigned>(most <= 0) << k;
+      out.surely |= static_cast<unsigned>(most <= r.sure) << k;
     }
+    return out;
+  }
+
+  static unsigned boxes(const BoxNode& node) {
+    unsigned out = 0;
+    for (std::size_t k = 0; k < BoxNode::kLanes; ++k) out |= node.child[k] >> 31 << k;
     return out;
   }
 
@@ -133,8 +149,12 @@ struct Avx2 {
                            _mm256_set1_ps(s.start[i]));
   }
 
-  SKYWAY_AVX2 static unsigned on(const BoxNode& node, const SegmentInTree& s) {
-    unsigned out = 0;
+  SKYWAY_AVX2 static unsigned at_most(__m256 a, __m256 b) {
+    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_LE_OQ)));
+  }
+
+  SKYWAY_AVX2 static Met on(const BoxNode& node, const SegmentInTree& s) {
+    Met out;
 #pragma GCC unroll 2
     for (std::size_t half = 0; half < BoxNode::kLanes; half += 8) {
       const float* const planes = &node.plane[0][half];
@@ -144,28 +164,38 @@ struct Avx2 {
       const __m256 last = _mm256_min_ps(
           _mm256_min_ps(place(planes + s.leave[0], s, 0), place(planes + s.leave[1], s, 1)),
           _mm256_min_ps(place(planes + s.leave[2], s, 2), _mm256_set1_ps(1)));
-      out |= static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(first, last, _CMP_LE_OQ)))
-             << half;
+      out.may |= at_most(first, last) << half;
+      out.surely |= at_most(_mm256_add_ps(first, _mm256_set1_ps(s.sure)), last) << half;
     }
     return out;
   }
 
-  SKYWAY_AVX2 static unsigned in(const BoxNode& node, const RegionInTree& r) {
-    unsigned out = 0;
+  SKYWAY_AVX2 static __m256 beside(const BoxNode& node, const RegionInTree& r, std::size_t i,
+                                   std::size_t half) {
+    const __m256 low = _mm256_load_ps(&node.plane[i][half]);
+    const __m256 high = _mm256_load_ps(&node.plane[3 + i][half]);
+    return _mm256_max_ps(_mm256_sub_ps(low, _mm256_set1_ps(r.high[i])),
+                         _mm256_sub_ps(_mm256_set1_ps(r.low[i]), high));
+  }
+
+  SKYWAY_AVX2 static Met in(const BoxNode& node, const RegionInTree& r) {
+    Met out;
+#pragma GCC unroll 2
     for (std::size_t half = 0; half < BoxNode::kLanes; half += 8) {
-      __m256 together = _mm256_castsi256_ps(_mm256_set1_epi32(-1));
-#pragma GCC unroll 3
-      for (std::size_t i = 0; i < 3; ++i) {
-        const __m256 low = _mm256_load_ps(&node.plane[i][half]);
-        const __m256 high = _mm256_load_ps(&node.plane[3 + i][half]);
-        together =
-            _mm256_and_ps(together, _mm256_cmp_ps(low, _mm256_set1_ps(r.high[i]), _CMP_LE_OQ));
-        together =
-            _mm256_and_ps(together, _mm256_cmp_ps(high, _mm256_set1_ps(r.low[i]), _CMP_GE_OQ));
-      }
-      out |= static_cast<unsigned>(_mm256_movemask_ps(together)) << half;
+      const __m256 most =
+          _mm256_max_ps(_mm256_max_ps(beside(node, r, 0, half), beside(node, r, 1, half)),
+                        beside(node, r, 2, half));
+      out.may |= at_most(most, _mm256_setzero_ps()) << half;
+      out.surely |= at_most(most, _mm256_set1_ps(r.sure)) << half;
     }
     return out;
+  }
+
+  SKYWAY_AVX2 static unsigned boxes(const BoxNode& node) {
+    const auto* const signs = reinterpret_cast<const float*>(node.child);
+    const int first = _mm256_movemask_ps(_mm256_load_ps(signs));
+    const int second = _mm256_movemask_ps(_mm256_load_ps(signs + 8));
+    return static_cast<unsigned>(first | second << 8);
   }
 
   SKYWAY_AVX2 static __m256 squares_of(const BoxNode& node, const PointInTree& p,
@@ -259,26 +289,32 @@ struct Avx512 {
                            _mm512_set1_ps(s.start[i]));
   }
 
-  SKYWAY_AVX512 static unsigned on(const BoxNode& node, const SegmentInTree& s) {
+  SKYWAY_AVX512 static Met on(const BoxNode& node, const SegmentInTree& s) {
     const float* const planes = &node.plane[0][0];
     const __m512 first =
         max(max(place(planes + s.enter[0], s, 0), place(planes + s.enter[1], s, 1)),
             max(place(planes + s.enter[2], s, 2), _mm512_setzero_ps()));
     const __m512 last = min(min(place(planes + s.leave[0], s, 0), place(planes + s.leave[1], s, 1)),
                             min(place(planes + s.leave[2], s, 2), _mm512_set1_ps(1)));
-    return _mm512_cmp_ps_mask(first, last, _CMP_LE_OQ);
+    return {_mm512_cmp_ps_mask(first, last, _CMP_LE_OQ),
+            _mm512_cmp_ps_mask(_mm512_add_ps(first, _mm512_set1_ps(s.sure)), last, _CMP_LE_OQ)};
   }
 
-  SKYWAY_AVX512 static unsigned in(const BoxNode& node, const RegionInTree& r) {
-    __mmask16 together = 0xffff;
-#pragma GCC unroll 3
-    for (std::size_t i = 0; i < 3; ++i) {
-      together = _mm512_mask_cmp_ps_mask(together, _mm512_load_ps(node.plane[i]),
-                                         _mm512_set1_ps(r.high[i]), _CMP_LE_OQ);
-      together = _mm512_mask_cmp_ps_mask(together, _mm512_load_ps(node.plane[3 + i]),
-                                         _mm512_set1_ps(r.low[i]), _CMP_GE_OQ);
-    }
-    return together;
+  // How far beside the region, along the axis where that is most: compared once.
+  SKYWAY_AVX512 static __m512 beside(const BoxNode& node, const RegionInTree& r, std::size_t i) {
+    const __m512 below = _mm512_sub_ps(_mm512_load_ps(node.plane[i]), _mm512_set1_ps(r.high[i]));
+    const __m512 above = _mm512_sub_ps(_mm512_set1_ps(r.low[i]), _mm512_load_ps(node.plane[3 + i]));
+    return max(below, above);
+  }
+
+  SKYWAY_AVX512 static Met in(const BoxNode& node, const RegionInTree& r) {
+    const __m512 most = max(max(beside(node, r, 0), beside(node, r, 1)), beside(node, r, 2));
+    return {_mm512_cmp_ps_mask(most, _mm512_setzero_ps(), _CMP_LE_OQ),
+            _mm512_cmp_ps_mask(most, _mm512_set1_ps(r.sure), _CMP_LE_OQ)};
+  }
+
+  SKYWAY_AVX512 static unsigned boxes(const BoxNode& node) {
+    return _mm512_cmplt_epi32_mask(_mm512_load_si512(node.child), _mm512_setzero_si512());
   }
 
   SKYWAY_AVX512 static __m512 squares_of(const BoxNode& node, const PointInTree& p) {
@@ -340,5 +376,30 @@ struct Avx512 {
 };
 #endif
 
+// Of a lambda that is compiled anew for each kind of processor, with all that it calls.
+#define SKYWAY_ANY_LANES __attribute__((always_inline))
+
+#if defined(__x86_64__)
+template <class F>
+SKYWAY_AVX2 auto on_avx2(const F& f) {
+  return f(Avx2{});
+}
+template <class F>
+SKYWAY_AVX512 auto on_avx512(const F& f) {
+  return f(Avx512{});
+}
+#endif
+
 }  // namespace lanes
+
+// What f(lanes) returns, for the best lanes that this processor has. f is SKYWAY_ANY_LANES.
+template <class F>
+auto with_lanes(const F& f) {
+#if defined(__x86_64__)
+  if (lanes::Avx512::usable()) return lanes::on_avx512(f);
+  if (lanes::Avx2::usable()) return lanes::on_avx2(f);
+#endif
+  return f(lanes::Plain{});
+}
+
 }  // namespace geom

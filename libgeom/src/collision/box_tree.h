@@ -25,7 +25,8 @@ struct alignas(64) BoxNode {
 };
 
 // Where a tree lies. Planes are in single precision, relative to a corner and further out by `pad`,
-// so the tree only proposes, and whoever asks decides each candidate in double.
+// so the tree only proposes, and whoever asks decides each candidate in double, but for those of
+// which a question is sure (tree_questions.h).
 struct TreeFrame {
   // Questions are cut to so many metres around the boxes.
   static constexpr double kBeyond = 1000;
@@ -49,8 +50,8 @@ struct TreeFrame {
     pad = std::ldexp(size + kBeyond, -20) + std::ldexp(largest, -48);
   }
 
-  // The planes of a box, at least `pad` further out: rounding to single precision takes away less
-  // than the eighth that is added.
+  // The planes of a box, between 1 and 1.2 `pad` further out: rounding to single precision changes
+  // less than a sixteenth of it.
   float low(const Aabb& box, int axis) const {
     return static_cast<float>(box.min[axis] - corner[axis] - 1.125 * pad);
   }

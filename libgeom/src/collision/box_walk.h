@@ -6,6 +6,8 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <span>
+#include <type_traits>
 
 #include "box_lanes.h"
 #include "box_tree.h"
@@ -13,24 +15,37 @@
 namespace geom {
 namespace walk {
 
+// Of walks whose boxes all are asked about.
+struct NeverSure {};
+
 inline constexpr std::size_t kStack = (BoxNode::kLanes - 1) * BoxTree::kMostDepth + 1;
 
-// Asks f about every box whose nodes `children` lets through, until one answers true. Of each node
-// one child comes next at once and the others go onto the stack, without a loop. The first there is
-// none: what would be three branches a node that no processor foresees is one.
-template <class Lanes, class Question, class F>
-[[gnu::always_inline]] inline bool any(const BoxNode* nodes,
-                                       unsigned (*children)(const BoxNode&, const Question&),
-                                       const Question& question, const F& f) {
+// Asks f about every box whose nodes `children` lets through, until one answers true; sure(box) of
+// one that surely is met ends the walk at once. Of each node one child comes next and the others go
+// onto the stack, without a loop. The first there is none: what would be three branches a node that
+// no processor foresees is one.
+template <class Lanes, class Question, class F, class Sure>
+SKYWAY_ANY_LANES inline bool any(const BoxNode* nodes,
+                                 lanes::Met (*children)(const BoxNode&, const Question&),
+                                 const Question& question, const F& f, const Sure& sure) {
   std::array<std::uint32_t, kStack + BoxNode::kLanes> open;
   open[0] = BoxNode::kNone;
   std::size_t count = 1;
   std::uint32_t next = 0;
   for (;;) {
     const BoxNode& node = nodes[next];
-    const unsigned mask = children(node, question);
+    const lanes::Met met = children(node, question);
+    if constexpr (!std::is_same_v<Sure, NeverSure>) {
+      if (const unsigned boxes = met.surely & Lanes::boxes(node); boxes != 0) {
+        sure(node.child[std::countr_zero(boxes)] & ~BoxNode::kBox);
+        return true;
+      }
+    }
+    const unsigned mask = met.may;
     const int last = std::bit_width(mask | 1) - 1;
-    next = mask != 0 ? node.child[last] : open[count - 1];
+    const std::uint32_t first = node.child[last];
+    const std::uint32_t waiting = open[count - 1];
+    next = mask != 0 ? first : waiting;
     count += Lanes::push(node, mask & ~(1u << last), &open[count]);
     count -= mask == 0;
     while ((next & BoxNode::kBox) != 0) {
@@ -41,12 +56,38 @@ template <class Lanes, class Question, class F>
   }
 }
 
+// Boxes of a region that are given on together.
+inline constexpr std::size_t kBatch = 64;
+
+// Gives f all boxes that the region may meet, some at a time, until it answers true. Which comes
+// first does not matter here, so boxes do not wait on the stack, and the only branch is the end.
+template <class Lanes, class F>
+SKYWAY_ANY_LANES inline bool in_batches(const BoxNode* nodes, const RegionInTree& r, const F& f) {
+  std::array<std::uint32_t, kStack + BoxNode::kLanes> open;
+  std::array<std::uint32_t, kBatch + BoxNode::kLanes> batch;
+  open[0] = 0;
+  std::size_t count = 1;
+  std::size_t boxes = 0;
+  do {
+    const BoxNode& node = nodes[open[--count]];
+    const unsigned mask = Lanes::in(node, r).may;
+    const unsigned leaves = Lanes::boxes(node);
+    count += Lanes::push(node, mask & ~leaves, &open[count]);
+    boxes += Lanes::push(node, mask & leaves, &batch[boxes]);
+    if (boxes > kBatch - BoxNode::kLanes) {
+      if (f(std::span<const std::uint32_t>(batch.data(), boxes))) return true;
+      boxes = 0;
+    }
+  } while (count > 0);
+  return boxes > 0 && f(std::span<const std::uint32_t>(batch.data(), boxes));
+}
+
 // Asks f about the boxes that may be within a radius; f returns the radius from there on. Of each
 // node the nearest child comes first, the others as they lie: once something near was found, most
 // are passed over.
 template <class Lanes, class F>
-[[gnu::always_inline]] inline void nearest(const BoxNode* nodes, const PointInTree& p,
-                                           double radius, const F& f) {
+SKYWAY_ANY_LANES inline void nearest(const BoxNode* nodes, const PointInTree& p, double radius,
+                                     const F& f) {
   std::array<float, kStack + BoxNode::kLanes> square;
   std::array<std::uint32_t, kStack + BoxNode::kLanes> child;
   std::size_t count = 0;
@@ -73,81 +114,39 @@ template <class Lanes, class F>
   }
 }
 
-#if defined(__x86_64__)
-template <class F>
-SKYWAY_AVX2 bool any_on_avx2(const BoxNode* nodes, const SegmentInTree& s, const F& f) {
-  return any<lanes::Avx2>(nodes, lanes::Avx2::on, s, f);
-}
-template <class F>
-SKYWAY_AVX2 bool any_in_avx2(const BoxNode* nodes, const RegionInTree& r, const F& f) {
-  return any<lanes::Avx2>(nodes, lanes::Avx2::in, r, f);
-}
-template <class F>
-SKYWAY_AVX2 void near_avx2(const BoxNode* nodes, const PointInTree& p, double radius, const F& f) {
-  nearest<lanes::Avx2>(nodes, p, radius, f);
-}
-template <class F>
-SKYWAY_AVX512 bool any_on_avx512(const BoxNode* nodes, const SegmentInTree& s, const F& f) {
-  return any<lanes::Avx512>(nodes, lanes::Avx512::on, s, f);
-}
-template <class F>
-SKYWAY_AVX512 bool any_in_avx512(const BoxNode* nodes, const RegionInTree& r, const F& f) {
-  return any<lanes::Avx512>(nodes, lanes::Avx512::in, r, f);
-}
-template <class F>
-SKYWAY_AVX512 void near_avx512(const BoxNode* nodes, const PointInTree& p, double radius,
-                               const F& f) {
-  nearest<lanes::Avx512>(nodes, p, radius, f);
-}
-#endif
-
 }  // namespace walk
 
 // Calls f(box) for boxes of a tree that the closed segment may meet, until it returns true; returns
-// whether it did. All that the segment meets are among them.
-template <class F>
-bool any_on_segment(const BoxNode* nodes, const SegmentInTree& s, const F& f) {
-  if (s.outside) return false;
-#if defined(__x86_64__)
-  if (lanes::Avx512::usable()) return walk::any_on_avx512(nodes, s, f);
-  if (lanes::Avx2::usable()) return walk::any_on_avx2(nodes, s, f);
-#endif
-  return walk::any<lanes::Plain>(nodes, lanes::Plain::on, s, f);
+// whether it did. All that the segment meets are among them. Where `sure` is given, a box that is
+// met whatever roundings did ends the search: then sure(box) is called, and f is not. Each of these
+// functions is compiled into its caller, who chose the lanes once for all trees that a question
+// visits.
+template <class Lanes, class F, class Sure = walk::NeverSure>
+SKYWAY_ANY_LANES inline bool any_meeting(const BoxNode* nodes, const SegmentInTree& s, const F& f,
+                                         const Sure& sure = {}) {
+  return !s.outside && walk::any<Lanes>(nodes, Lanes::on, s, f, sure);
 }
 
 // The same of the boxes that the closed region may meet.
-template <class F>
-bool any_in_region(const BoxNode* nodes, const RegionInTree& r, const F& f) {
-#if defined(__x86_64__)
-  if (lanes::Avx512::usable()) return walk::any_in_avx512(nodes, r, f);
-  if (lanes::Avx2::usable()) return walk::any_in_avx2(nodes, r, f);
-#endif
-  return walk::any<lanes::Plain>(nodes, lanes::Plain::in, r, f);
+template <class Lanes, class F, class Sure = walk::NeverSure>
+SKYWAY_ANY_LANES inline bool any_meeting(const BoxNode* nodes, const RegionInTree& r, const F& f,
+                                         const Sure& sure = {}) {
+  return walk::any<Lanes>(nodes, Lanes::in, r, f, sure);
+}
+
+// The same, but f gets some boxes at a time: those of a batch, as kBox | number.
+template <class Lanes, class F>
+SKYWAY_ANY_LANES inline bool each_in_region(const BoxNode* nodes, const RegionInTree& r,
+                                            const F& f) {
+  return walk::in_batches<Lanes>(nodes, r, f);
 }
 
 // Calls f(box) for boxes that may be within `radius` of the point, about the nearest first. f
 // returns how near later ones must be. All that are as near are among them.
-template <class F>
-void each_near(const BoxNode* nodes, const PointInTree& p, double radius, const F& f) {
-#if defined(__x86_64__)
-  if (lanes::Avx512::usable()) return walk::near_avx512(nodes, p, radius, f);
-  if (lanes::Avx2::usable()) return walk::near_avx2(nodes, p, radius, f);
-#endif
-  walk::nearest<lanes::Plain>(nodes, p, radius, f);
-}
-
-// The same of questions in metres.
-template <class F>
-bool any_on_segment(const BoxTree& tree, const Vec3& a, const Vec3& b, const F& f) {
-  return any_on_segment(tree.nodes.data(), SegmentInTree(tree.frame, a, b), f);
-}
-template <class F>
-bool any_in_region(const BoxTree& tree, const Aabb& region, const F& f) {
-  return any_in_region(tree.nodes.data(), RegionInTree(tree.frame, region), f);
-}
-template <class F>
-void each_near(const BoxTree& tree, const Vec3& p, double radius, const F& f) {
-  each_near(tree.nodes.data(), PointInTree(tree.frame, p), radius, f);
+template <class Lanes, class F>
+SKYWAY_ANY_LANES inline void each_near(const BoxNode* nodes, const PointInTree& p, double radius,
+                                       const F& f) {
+  walk::nearest<Lanes>(nodes, p, radius, f);
 }
 
 }  // namespace geom

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/embree_library.h"
+#include "filled_tree.h"
 
 namespace geom {
 namespace {
@@ -139,6 +140,7 @@ RTCError run(Build& build, Bvh& bvh) {
   args.maxDepth = kMostBuiltDepth;
   args.sahBlockSize = BoxNode::kLanes;
   args.maxLeafSize = BoxNode::kLanes;
+  args.minLeafSize = BoxNode::kLanes;  // else a few boxes would be split once more
   args.bvh = bvh.get();
   args.primitives = build.boxes.data();
   args.primitiveCount = build.boxes.size();
@@ -184,36 +186,12 @@ void keep(std::unique_ptr<HalfBuilt> build) noexcept {
   }
 }
 
-// A tree without one of its boxes would call it free.
-void require_each_box(std::span<const std::uint32_t> order, std::size_t boxes) {
-  std::vector<bool> seen(boxes);
-  for (const std::uint32_t box : order) seen[box] = true;
-  if (order.size() != boxes || std::find(seen.begin(), seen.end(), false) != seen.end()) {
-    throw std::logic_error("a collision tree has not each of its boxes once");
-  }
-}
-
-// The nodes, and no more memory than they take; boxes are named anew, from leaf to leaf.
-BuiltTree finished(const TreeFrame& frame, std::span<const BoxNode> nodes, std::size_t boxes) {
-  BuiltTree out{{frame, {nodes.begin(), nodes.end()}}, {}};
-  out.order.reserve(boxes);
-  for (BoxNode& node : out.tree.nodes) {
-    for (std::uint32_t& child : node.child) {
-      if (child == BoxNode::kNone || (child & BoxNode::kBox) == 0) continue;
-      out.order.push_back(child & ~BoxNode::kBox);
-      child = BoxNode::kBox | static_cast<std::uint32_t>(out.order.size() - 1);
-    }
-  }
-  require_each_box(out.order, boxes);
-  return out;
-}
-
 BuiltTree tree_of_one(const TreeFrame& frame, const RTCBuildPrimitive& box) {
   Nodes nodes(1);
   BoxNode& node = *nodes.add();
   set_lane(node, 0, box);
   node.child[0] = BoxNode::kBox;
-  return finished(frame, nodes.all(), 1);
+  return filled_tree(frame, nodes.all(), 1);
 }
 
 struct Started {
@@ -259,7 +237,7 @@ BuiltTree embree_tree(std::span<const Aabb> boxes, const TreeFrame& frame) {
   } catch (const std::bad_alloc&) {
   }
   if (error == RTC_ERROR_NONE && build.root && half->nodes.enough()) {
-    return finished(frame, half->nodes.all(), boxes.size());
+    return filled_tree(frame, half->nodes.all(), boxes.size());
   }
   any_failed = true;
   keep(std::move(half));

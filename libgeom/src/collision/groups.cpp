@@ -16,8 +16,8 @@
 namespace geom {
 namespace {
 
-constexpr double kBoxesPerGroup = 512;  // where the whole map fits the budget,
-constexpr double kFewerPerGroup = 128;  // and where groups are built again and again
+constexpr double kBoxesPerGroup = 128;         // as many as two levels of nodes find
+constexpr std::size_t kMostInOneGroup = 8192;  // of a map that fits the budget
 
 constexpr double kMostSharedPad = 0.25;  // metres; of larger maps, groups have frames of their own
 constexpr std::size_t kManyBuilt = 32;  // groups: more than one question touches
@@ -36,10 +36,10 @@ CollisionScene::Impl::Impl(BoxMap m, Vehicle v, double mg, const CollisionOption
     if (margin > 0) half[i] = next_up(half[i]);
   }
   free_bounds = shrink(map.spec().bounds, half);
-  const bool fits = map.size() <= budget / kMostBytesPerBox;
+  const bool one = map.size() <= std::min(kMostInOneGroup, budget / kMostBytesPerBox);
   group_tiles(options.boxes_per_group > 0 ? static_cast<double>(options.boxes_per_group)
-              : fits                      ? kBoxesPerGroup
-                                          : kFewerPerGroup);
+              : one                       ? static_cast<double>(kMostInOneGroup)
+                                          : kBoxesPerGroup);
   counts.groups = groups.size();
   keeps_all = groups.size() <= 1 || most_tree_bytes(map.size(), groups.size()) <= budget;
   if (groups.size() > 1) start_embree();  // here rather than in a query

@@ -109,7 +109,7 @@ inline const BoxNode* nodes_around(const CollisionScene::Impl& impl, const Vec3&
 // Calls f(tree) for a query inside a group, whose tree stays that long. Throws where it cannot be
 // built.
 template <class F>
-auto visit(CollisionScene::Impl& impl, std::size_t g, const F& f) {
+[[gnu::always_inline]] inline auto visit(CollisionScene::Impl& impl, std::size_t g, const F& f) {
   if (impl.keeps_all) return f(impl.touch(g));
   const Use use(impl.groups[g]);  // counted before the tree is read
   return f(impl.touch(g));

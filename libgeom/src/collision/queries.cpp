@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "box_walk.h"
 #include "geom/base/precondition.h"
+#include "meeting_boxes.h"
 
 namespace geom {
 namespace {
@@ -64,32 +66,86 @@ bool is_built(const CollisionScene::Impl& impl, std::size_t g) {
   return impl.groups[g].tree.load(std::memory_order_relaxed) != nullptr;
 }
 
-}  // namespace
+// A question as trees take it: the one that all share, or, where a map is too large for that, one
+// for each group, of which the last is kept.
+template <class Asked>
+class Question {
+ public:
+  using InTree = decltype(std::declval<Asked>().in(TreeFrame()));
 
-namespace {
+  Question(const CollisionScene::Impl& impl, const Asked& asked)
+      : asked_(asked), shared_(asked.in(impl.top.frame)), one_frame_(impl.one_frame) {}
 
-// Whether the segment meets a grown box; seen(box) is called for the one that decides.
+  const InTree& shared() const { return shared_; }
+  const InTree& of(const GroupTree& group) {
+    return one_frame_ ? shared_ : own_.emplace(asked_.in(group.frame));
+  }
+
+ private:
+  Asked asked_;
+  InTree shared_;
+  bool one_frame_;
+  std::optional<InTree> own_;
+};
+
+// overlap() without a branch: nearly all that are looked at do.
+inline bool meet(const Aabb& a, const Aabb& b) {
+  bool out = true;
+#pragma GCC unroll 3
+  for (int i = 0; i < 3; ++i) out = out & (a.min[i] <= b.max[i]) & (b.min[i] <= a.max[i]);
+  return out;
+}
+
+// What is asked of trees, of boxes and of the skyline.
+struct SegmentAsked {
+  const Vec3& a;
+  const Vec3& b;
+
+  SegmentInTree in(const TreeFrame& frame) const { return {frame, a, b}; }
+  bool meets(const Aabb& box) const { return segment_hits(a, b, box); }
+  bool passes_over(const Skyline& skyline) const { return skyline.clears(a, b); }
+};
+
+// A point is a region too, which takes fewer operations than a segment.
+struct PointAsked {
+  const Vec3& a;
+  const Vec3& b;  // the same
+
+  RegionInTree in(const TreeFrame& frame) const { return {frame, {a, a}}; }
+  bool meets(const Aabb& box) const { return meet({a, a}, box); }
+  bool passes_over(const Skyline& skyline) const { return skyline.clears(a); }
+};
+
+// Whether it meets a grown box; seen(box) is called for the one that decides.
+template <class Asked, class Seen>
+bool find_hit(CollisionScene::Impl& impl, const Asked& asked, const Seen& seen) {
+  // The only group is never given up.
+  const bool one = impl.groups.size() == 1;
+  if (one && asked.passes_over(impl.touch(0).looks->skyline)) return false;
+  Question question(impl, asked);
+  return with_lanes([&](auto lanes) SKYWAY_ANY_LANES {
+    using Lanes = decltype(lanes);
+    const auto hits_group = [&](const GroupTree& group) SKYWAY_ANY_LANES {
+      const auto see = [&](std::size_t k) SKYWAY_ANY_LANES { seen(group.grown[k]); };
+      const auto hits = [&](std::size_t k) SKYWAY_ANY_LANES {
+        if (!asked.meets(group.grown[k])) return false;
+        see(k);
+        return true;
+      };
+      return any_meeting<Lanes>(group.nodes(), question.of(group), hits, see);
+    };
+    if (one) return hits_group(impl.touch(0));
+    return any_meeting<Lanes>(nodes_around(impl, asked.a, asked.b), question.shared(),
+                              [&](std::size_t g) SKYWAY_ANY_LANES {
+                                return (is_built(impl, g) || asked.meets(impl.extent(g))) &&
+                                       visit(impl, g, hits_group);
+                              });
+  });
+}
+
 template <class Seen>
 bool find_hit(CollisionScene::Impl& impl, const Vec3& a, const Vec3& b, const Seen& seen) {
-  const auto hits_group = [&](const GroupTree& group, const SegmentInTree& s) {
-    return any_on_segment(group.nodes(), s, [&](std::size_t k) {
-      if (!segment_hits(a, b, group.grown[k])) return false;
-      seen(group.grown[k]);
-      return true;
-    });
-  };
-  if (impl.groups.size() == 1) {
-    const GroupTree& group = impl.touch(0);  // the only group is never given up
-    return !group.looks->skyline.clears(a, b) &&
-           hits_group(group, SegmentInTree(group.frame, a, b));
-  }
-  const SegmentInTree s(impl.top.frame, a, b);
-  return any_on_segment(nodes_around(impl, a, b), s, [&](std::size_t g) {
-    return (is_built(impl, g) || segment_hits(a, b, impl.extent(g))) &&
-           visit(impl, g, [&](const GroupTree& group) {
-             return hits_group(group, impl.one_frame ? s : SegmentInTree(group.frame, a, b));
-           });
-  });
+  return a == b ? find_hit(impl, PointAsked{a, b}, seen) : find_hit(impl, SegmentAsked{a, b}, seen);
 }
 
 }  // namespace
@@ -106,11 +162,18 @@ std::optional<Aabb> blocking_box(CollisionScene::Impl& impl, const Vec3& a, cons
 
 namespace {
 
+struct NearAsked {
+  const Vec3& p;
+
+  PointInTree in(const TreeFrame& frame) const { return {frame, p}; }
+};
+
 // Adds what is near of a group. Returns which box came last among the nearest, if one did.
-std::uint32_t search(const GroupTree& group, const PointInTree& at, const Vec3& p,
-                     NearestFound& found) {
+template <class Lanes>
+SKYWAY_ANY_LANES inline std::uint32_t search(const GroupTree& group, const PointInTree& at,
+                                             const Vec3& p, NearestFound& found) {
   std::uint32_t last = NearestHints::kNone;
-  each_near(group.nodes(), at, found.radius(), [&](std::size_t k) {
+  each_near<Lanes>(group.nodes(), at, found.radius(), [&](std::size_t k) SKYWAY_ANY_LANES {
     if (found.add({group.first + group.name[k], distance(p, group.by_vehicle[k])})) {
       last = static_cast<std::uint32_t>(k);
     }
@@ -120,12 +183,13 @@ std::uint32_t search(const GroupTree& group, const PointInTree& at, const Vec3& 
 }
 
 // The same of the one nearest, from what an earlier search found nearby.
-void search_by_hint(const GroupTree& group, const PointInTree& at, const Vec3& p,
-                    NearestFound& found) {
+template <class Lanes>
+SKYWAY_ANY_LANES inline void search_by_hint(const GroupTree& group, const PointInTree& at,
+                                            const Vec3& p, NearestFound& found) {
   std::atomic<std::uint32_t>& hint = group.looks->hints.at(p);
   const std::uint32_t known = hint.load(std::memory_order_relaxed);
   if (known != NearestHints::kNone) found.limit(distance(p, group.by_vehicle[known]));
-  const std::uint32_t last = search(group, at, p, found);
+  const std::uint32_t last = search<Lanes>(group, at, p, found);
   if (known == NearestHints::kNone && last != NearestHints::kNone) {
     hint.store(last, std::memory_order_relaxed);
   }
@@ -144,58 +208,75 @@ bool lies_in(const CollisionScene::Impl& impl, const BoxNode* nodes, const Vec3&
 std::size_t find_nearest(CollisionScene::Impl& impl, const Vec3& p, double radius,
                          std::span<Nearest> room) {
   NearestFound found(room, radius);
-  if (impl.groups.size() == 1) {
-    const GroupTree& group = impl.touch(0);
-    const PointInTree at(group.frame, p);
-    if (room.size() == 1) {
-      search_by_hint(group, at, p, found);
-    } else {
-      search(group, at, p, found);
+  Question question(impl, NearAsked{p});
+  const PointInTree& at = question.shared();
+  with_lanes([&](auto lanes) SKYWAY_ANY_LANES {
+    using Lanes = decltype(lanes);
+    if (impl.groups.size() == 1) {
+      const GroupTree& group = impl.touch(0);
+      room.size() == 1 ? search_by_hint<Lanes>(group, at, p, found)
+                       : static_cast<void>(search<Lanes>(group, at, p, found));
+      return;
     }
-    return found.sort();
-  }
-  const PointInTree at(impl.top.frame, p);
-  const auto search_groups = [&](const BoxNode* nodes) {
-    each_near(nodes, at, found.radius(), [&](std::size_t g) {
-      if (is_built(impl, g) || distance(p, impl.extent(g)) <= found.radius()) {
-        visit(impl, g, [&](const GroupTree& group) {
-          search(group, impl.one_frame ? at : PointInTree(group.frame, p), p, found);
-        });
-      }
-      return found.radius();
-    });
-  };
-  // Of one box, what is known already does no harm.
-  const BoxNode* const all = impl.top.nodes.data();
-  const BoxNode* const around = room.size() == 1 ? nodes_around(impl, p, p) : all;
-  search_groups(around);
-  if (around != all && !lies_in(impl, around, p, found.radius())) search_groups(all);
+    const auto search_group = [&](const GroupTree& group) SKYWAY_ANY_LANES {
+      search<Lanes>(group, question.of(group), p, found);
+    };
+    const auto search_groups = [&](const BoxNode* nodes) {
+      each_near<Lanes>(nodes, at, found.radius(), [&](std::size_t g) SKYWAY_ANY_LANES {
+        if (is_built(impl, g) || distance(p, impl.extent(g)) <= found.radius()) {
+          visit(impl, g, search_group);
+        }
+        return found.radius();
+      });
+    };
+    // Of one box, what is known already does no harm.
+    const BoxNode* const all = impl.top.nodes.data();
+    const BoxNode* const around = room.size() == 1 ? nodes_around(impl, p, p) : all;
+    search_groups(around);
+    if (around != all && !lies_in(impl, around, p, found.radius())) search_groups(all);
+  });
   return found.sort();
 }
 
+namespace {
+
+struct RegionAsked {
+  const Aabb& region;
+
+  RegionInTree in(const TreeFrame& frame) const { return {frame, region}; }
+};
+
+}  // namespace
+
 std::optional<std::vector<std::size_t>> find_meeting(CollisionScene::Impl& impl, const Aabb& region,
                                                      std::size_t most) {
-  std::vector<std::size_t> found;
-  const RegionInTree r(impl.top.frame, region);
-  const auto too_many_of = [&](std::size_t g) {
-    return visit(impl, g, [&](const GroupTree& group) {
-      return any_in_region(group.nodes(), impl.one_frame ? r : RegionInTree(group.frame, region),
-                           [&](std::size_t k) {
-                             if (!overlap(region, group.grown[k])) return false;
-                             found.push_back(group.first + group.name[k]);
-                             return found.size() > most;
-                           });
-    });
-  };
-  const bool too_many =
-      impl.groups.size() == 1
-          ? too_many_of(0)
-          : any_in_region(nodes_around(impl, region.min, region.max), r, [&](std::size_t g) {
-              return (is_built(impl, g) || overlap(region, impl.extent(g))) && too_many_of(g);
-            });
+  MeetingBoxes found;
+  Question question(impl, RegionAsked{region});
+  const bool too_many = with_lanes([&](auto lanes) SKYWAY_ANY_LANES {
+    using Lanes = decltype(lanes);
+    const auto add_group = [&](const GroupTree& group) SKYWAY_ANY_LANES {
+      const auto add = [&](std::span<const std::uint32_t> boxes) SKYWAY_ANY_LANES {
+        std::size_t* const room = found.room(boxes.size());
+        std::size_t count = 0;
+        for (const std::uint32_t box : boxes) {
+          const std::uint32_t k = box & ~BoxNode::kBox;
+          room[count] = group.first + group.name[k];
+          count += meet(region, group.grown[k]) ? 1 : 0;
+        }
+        found.keep(count);
+        return found.size() > most;
+      };
+      return each_in_region<Lanes>(group.nodes(), question.of(group), add);
+    };
+    if (impl.groups.size() == 1) return visit(impl, 0, add_group);
+    const auto visit_group = [&](std::size_t g) SKYWAY_ANY_LANES {
+      return (is_built(impl, g) || meet(region, impl.extent(g))) && visit(impl, g, add_group);
+    };
+    return any_meeting<Lanes>(nodes_around(impl, region.min, region.max), question.shared(),
+                              visit_group);
+  });
   if (too_many) return std::nullopt;
-  std::sort(found.begin(), found.end());
-  return found;
+  return found.sorted();
 }
 
 }  // namespace geom

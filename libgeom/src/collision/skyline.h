@@ -50,6 +50,10 @@ class Skyline {
     return true;
   }
 
+  bool clears(const Vec3& p) const {
+    return tops_[static_cast<std::size_t>(cell(p.y(), 1) * kSide + cell(p.x(), 0))] < p.z();
+  }
+
   std::size_t bytes() const { return tops_.size() * sizeof(double); }
 
  private:

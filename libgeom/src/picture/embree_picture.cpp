@@ -7,6 +7,7 @@
 
 #include "base/embree_library.h"
 #include "geom/picture/picture_scene.h"
+#include "ray_lanes.h"
 
 namespace geom::picture {
 namespace {
@@ -206,6 +207,84 @@ Block PictureScene::cast(const Rays& view, int x, int y) const {
           Eigen::Vector3f(packet.hit.Ng_x[i], packet.hit.Ng_y[i], packet.hit.Ng_z[i]).normalized();
     }
   }
+  return out;
+}
+
+namespace {
+
+constexpr int kRays = kBlock * kBlock;
+
+#if defined(__x86_64__)
+// A face has the number of its side in the list of all boxes' sides.
+static_assert(sizeof(Aabb) == 6 * sizeof(double) && kBlock == 4 && kRays == 2 * RayLanes::kLanes);
+
+struct Packet {
+  alignas(64) RTCRayHit16 rtc;
+
+  Packet() {
+    std::fill_n(rtc.ray.tnear, kRays, kNear);
+    std::fill_n(rtc.ray.tfar, kRays, kFar);
+    std::fill_n(rtc.ray.time, kRays, 0.0f);
+    std::fill_n(rtc.ray.mask, kRays, ~0u);
+    std::fill_n(rtc.ray.id, kRays, 0u);
+    std::fill_n(rtc.ray.flags, kRays, 0u);
+    std::fill_n(rtc.hit.geomID, kRays, RTC_INVALID_GEOMETRY_ID);
+  }
+
+  SKYWAY_RAY_LANES void set(const RayLanes& rays, const Vec3& middle, int from) {
+    float* const origins[] = {rtc.ray.org_x, rtc.ray.org_y, rtc.ray.org_z};
+    float* const directions[] = {rtc.ray.dir_x, rtc.ray.dir_y, rtc.ray.dir_z};
+#pragma GCC unroll 3
+    for (int i = 0; i < 3; ++i) {
+      RayLanes::store(_mm512_sub_pd(rays.origin[i], _mm512_set1_pd(middle[i])), origins[i] + from);
+      RayLanes::store(rays.direction[i], directions[i] + from);
+    }
+  }
+
+  MetByRays met(int from) const {
+    return {rtc.hit.geomID + from, rtc.hit.primID + from, rtc.ray.tfar + from,
+            RTC_INVALID_GEOMETRY_ID};
+  }
+};
+
+struct DepthCast {
+  RTCScene scene;
+  const Rays& rays;
+  Vec3 middle;
+  Surfaces surfaces;
+};
+
+SKYWAY_RAY_LANES std::array<float, kRays> cast_depths(const DepthCast& cast, int x, int y) {
+  alignas(64) static constexpr int kAll[kRays] = {-1, -1, -1, -1, -1, -1, -1, -1,
+                                                  -1, -1, -1, -1, -1, -1, -1, -1};
+  const RayLanes first(cast.rays, x, y);
+  const RayLanes second(cast.rays, x, y + 2);
+  Packet packet;
+  packet.set(first, cast.middle, 0);
+  packet.set(second, cast.middle, RayLanes::kLanes);
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcIntersect16(kAll, cast.scene, &context, &packet.rtc);
+  std::array<float, kRays> out;
+  write_depths(first, packet.met(0), cast.surfaces, out.data());
+  write_depths(second, packet.met(RayLanes::kLanes), cast.surfaces, out.data() + RayLanes::kLanes);
+  return out;
+}
+#endif
+
+}  // namespace
+
+std::array<float, kBlock * kBlock> PictureScene::depths(const Rays& rays, int x, int y) const {
+#if defined(__x86_64__)
+  if (RayLanes::usable()) {
+    const double* const sides = boxes_.empty() ? nullptr : boxes_.front().min.data();
+    return cast_depths({embree_->scene, rays, middle_, {sides, ground_, kNear}}, x, y);
+  }
+#endif
+  std::array<float, kRays> out;
+  const Block block = cast(rays, x, y);
+  std::transform(block.begin(), block.end(), out.begin(), [](const Hit& hit) { return hit.depth; });
   return out;
 }
 

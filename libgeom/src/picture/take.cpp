@@ -37,13 +37,30 @@ void fill_block(const PictureScene& scene, const Shader& shader, const Rays& ray
   }
 }
 
+void fill_depths(const PictureScene& scene, const Rays& rays, int x, int y, Picture& out) {
+  const auto depths = scene.depths(rays, x, y);
+  const int columns = std::min(kBlock, out.width - x);
+  const int rows = std::min(kBlock, out.height - y);
+  for (int row = 0; row < rows; ++row) {
+    std::copy_n(depths.begin() + row * kBlock, columns,
+                out.depth.begin() + static_cast<std::ptrdiff_t>(index(out, x, y + row)));
+  }
+}
+
 void fill_tile(const PictureScene& scene, const Shader& shader, const View& view, const Tile& tile,
                Picture& out) {
   const Rays rays(view);
   const int right = std::min(tile.x + kTile, view.width);
   const int bottom = std::min(tile.y + kTile, view.height);
+  const bool depth_alone = !out.depth.empty() && out.colour.empty() && out.id.empty();
   for (int y = tile.y; y < bottom; y += kBlock) {
-    for (int x = tile.x; x < right; x += kBlock) fill_block(scene, shader, rays, x, y, out);
+    for (int x = tile.x; x < right; x += kBlock) {
+      if (depth_alone) {
+        fill_depths(scene, rays, x, y, out);
+      } else {
+        fill_block(scene, shader, rays, x, y, out);
+      }
+    }
   }
 }
 

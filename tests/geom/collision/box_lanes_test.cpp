@@ -74,15 +74,17 @@ void expect_all(const Node& n, const Vec3& a, const Vec3& b) {
   const PointInTree at(n.frame, a);
   const double radius = distance(a, n.boxes.front());
   std::array<float, BoxNode::kLanes> squares;
-  const unsigned on = Lanes::on(n.node, segment);
-  const unsigned in = Lanes::in(n.node, RegionInTree(n.frame, region));
+  const lanes::Met met_on = Lanes::on(n.node, segment);
+  const unsigned on = met_on.may;
+  const lanes::Met met_in = Lanes::in(n.node, RegionInTree(n.frame, region));
+  const unsigned in = met_in.may;
   const unsigned near = Lanes::near(n.node, at, at.limit(radius), squares.data());
   const unsigned nearest = nearest_of<Lanes>(n, at, at.limit(radius), near, squares);
   ASSERT_LT(nearest, n.boxes.size());
   for (std::size_t k = 0; k < BoxNode::kLanes; ++k) {
     const unsigned bit = 1u << k;
     if (k >= n.boxes.size()) {
-      EXPECT_EQ((on | in | near) & bit, 0u);
+      EXPECT_EQ((on | in | near | met_on.surely | met_in.surely) & bit, 0u);
       continue;
     }
     if (segment_hits(a, b, n.boxes[k])) {
@@ -94,6 +96,12 @@ void expect_all(const Node& n, const Vec3& a, const Vec3& b) {
     if (distance(a, n.boxes[k]) <= radius) {
       EXPECT_NE(near & bit, 0u);
     }
+    if ((met_on.surely & bit) != 0) {
+      EXPECT_TRUE(segment_hits(a, b, n.boxes[k]));
+    }
+    if ((met_in.surely & bit) != 0) {
+      EXPECT_TRUE(overlap(region, n.boxes[k]));
+    }
     EXPECT_NEAR(std::sqrt(squares[k]), distance(a, n.boxes[k]), 0.01);
     EXPECT_LE(squares[nearest], squares[k]);
     // And little else.
@@ -103,6 +111,11 @@ void expect_all(const Node& n, const Vec3& a, const Vec3& b) {
     }
     if (!overlap(region, wide)) {
       EXPECT_EQ(in & bit, 0u);
+    }
+    // Doubt is for what barely touches.
+    const Aabb less{region.min + Vec3::Constant(0.01), region.max - Vec3::Constant(0.01)};
+    if (overlap(less, n.boxes[k])) {
+      EXPECT_NE(met_in.surely & bit, 0u);
     }
     if (distance(a, n.boxes[k]) > radius + 0.01) {
       EXPECT_EQ(near & bit, 0u);
@@ -146,11 +159,38 @@ TYPED_TEST(BoxLanes, LetThroughWhatIsMetAndLittleElse) {
   }
 }
 
+TYPED_TEST(BoxLanes, AreSureOfASegmentThroughTheMiddle) {
+  if (!TypeParam::usable()) GTEST_SKIP() << "not on this processor";
+  support::Random random(12);
+  for (int i = 0; i < 300; ++i) {
+    const Node n = node_of(random, 16);
+    for (std::size_t k = 0; k < BoxNode::kLanes; ++k) {
+      const Vec3 middle = 0.5 * (n.boxes[k].min + n.boxes[k].max);
+      const Vec3 half = 0.5 * (n.boxes[k].max - n.boxes[k].min);
+      if (half.minCoeff() < 1) continue;
+      const Vec3 d(random.uniform(1, 30), -random.uniform(1, 30), random.uniform(1, 30));
+      const SegmentInTree s(n.frame, middle - d, middle + d);
+      EXPECT_NE(TypeParam::on(n.node, s).surely >> k & 1, 0u);
+    }
+  }
+}
+
 TYPED_TEST(BoxLanes, PushTheChildrenOfAMaskInOrder) {
   if (!TypeParam::usable()) GTEST_SKIP() << "not on this processor";
   support::Random random(8);
   const Node n = node_of(random, BoxNode::kLanes);
   for (unsigned mask = 0; mask < 0x10000; ++mask) expect_pushes<TypeParam>(n, mask);
+}
+
+TYPED_TEST(BoxLanes, TellBoxesFromNodes) {
+  if (!TypeParam::usable()) GTEST_SKIP() << "not on this processor";
+  BoxNode node = empty_node();
+  for (unsigned mask = 0; mask < 0x10000; mask += 37) {
+    for (std::uint32_t k = 0; k < BoxNode::kLanes; ++k) {
+      node.child[k] = (mask >> k & 1) != 0 ? BoxNode::kBox | k : 1000 + k;
+    }
+    EXPECT_EQ(TypeParam::boxes(node), mask);
+  }
 }
 
 TYPED_TEST(BoxLanes, PushNothingWhereNothingIsNear) {
@@ -176,7 +216,7 @@ TYPED_TEST(BoxLanes, LetThroughAllThatAnInfiniteRegionHas) {
   support::Random random(9);
   const Node n = node_of(random, 16);
   const Vec3 all = Vec3::Constant(std::numeric_limits<double>::infinity());
-  EXPECT_EQ(TypeParam::in(n.node, RegionInTree(n.frame, {-all, all})), 0xffffu);
+  EXPECT_EQ(TypeParam::in(n.node, RegionInTree(n.frame, {-all, all})).may, 0xffffu);
 }
 
 }  // namespace

@@ -30,6 +30,11 @@ TEST(EmbreeTree, TakesBoxesFromLeafToLeaf) {
   }
 }
 
+TEST(EmbreeTree, HasFewNodesForItsBoxes) {
+  const auto city = support::random_city(3, 5000, 3000);
+  EXPECT_LT(embree_tree(city.boxes()).tree.nodes.size(), 5000u / 10);
+}
+
 TEST(EmbreeTree, OfBoxesThatAreAllTheSameIsNotDeep) {
   expect_whole(std::vector<Aabb>(5000, Aabb{{1, 2, 3}, {4, 5, 6}}));
 }

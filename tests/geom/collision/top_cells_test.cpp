@@ -38,7 +38,8 @@ std::vector<Aabb> squares(std::uint64_t seed, int side, const Vec3& corner) {
 // Whether the node of the cell has each box that the segment meets.
 void expect_all_on(const World& w, const Vec3& a, const Vec3& b, const BoxNode& node) {
   std::vector<int> asked(w.boxes.size());
-  any_on_segment(&node, SegmentInTree(w.frame, a, b), [&](std::size_t k) {
+  const SegmentInTree s(w.frame, a, b);
+  any_meeting<lanes::Plain>(&node, s, [&](std::size_t k) {
     ++asked[k];
     return false;
   });

@@ -5,8 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <set>
+#include <vector>
 
 #include "geom/picture/camera.h"
 #include "geom/picture/take.h"
@@ -129,6 +133,64 @@ TEST(PictureProperty, DepthIsExactInACity) {
   EXPECT_EQ(city.wrong, 0u) << "seed 23";
   EXPECT_LE(city.at_edges, 10u);
   EXPECT_GT(city.on_boxes, 20000u);
+}
+
+// Frames of depth alone take another way through the code. Tubes, the sky and the ground are seen,
+// and blocks that reach over the edge of the picture.
+TEST(PictureProperty, DepthAloneIsTheSameToTheLastBit) {
+  const geom::BoxMap map = support::random_city(7, 200, 200, {3000, -500, 0});
+  geom::picture::Tubes tubes;
+  Random random(25);
+  for (std::uint32_t k = 0; k < 40; ++k) {
+    tubes.points.push_back({3000 + random.uniform(-100, 100), -500 + random.uniform(-100, 100),
+                            random.uniform(10, 80)});
+    if (k > 0) tubes.edges.push_back({k - 1, k});
+  }
+  const geom::picture::PictureScene scene(map, std::span(&tubes, 1));
+  const geom::picture::Shader shader(scene, geom::picture::look_of(map), {}, false);
+  std::vector<View> views;
+  for (int round = 0; round < 12; ++round) {
+    views.push_back(random_view(random, scene, map.spec().bounds));
+  }
+  views.push_back(geom::picture::plan_view(map.spec().bounds, 638, 479));
+  views.push_back(geom::picture::overview(map.spec().bounds, 638, 479, {}));
+  std::set<Hit::Kind> seen;
+  for (View& view : views) {
+    view.width = 638;
+    view.height = 479;
+    const auto alone = geom::picture::take_pictures(scene, shader, std::span(&view, 1),
+                                                    {false, true, false, 1}, {})[0];
+    const Rays rays(view);
+    for (int y = 0; y < view.height; y += geom::picture::kBlock) {
+      for (int x = 0; x < view.width; x += geom::picture::kBlock) {
+        const Block block = scene.cast(rays, x, y);
+        for (int i = 0; i < geom::picture::kBlock * geom::picture::kBlock; ++i) {
+          const int px = x + i % geom::picture::kBlock;
+          const int py = y + i / geom::picture::kBlock;
+          const Hit& hit = block[static_cast<std::size_t>(i)];
+          seen.insert(hit.kind);
+          if (px >= view.width || py >= view.height) continue;
+          ASSERT_EQ(std::bit_cast<std::uint32_t>(
+                        alone.depth[static_cast<std::size_t>(py * view.width + px)]),
+                    std::bit_cast<std::uint32_t>(hit.depth))
+              << "pixel " << px << ", " << py;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(seen.size(), 4u);
+}
+
+TEST(PictureProperty, DepthOfAMapWithoutBoxesIsThatOfTheGround) {
+  const geom::BoxMap map = support::random_city(1, 0, 50);
+  const geom::picture::PictureScene scene(map, {});
+  const View view = geom::picture::overview(map.spec().bounds, 64, 48, {});
+  const auto depths = scene.depths(Rays(view), 32, 24);
+  const Block block = scene.cast(Rays(view), 32, 24);
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    EXPECT_EQ(block[i].kind, Hit::Kind::ground);
+    EXPECT_EQ(depths[i], block[i].depth);
+  }
 }
 
 TEST(PictureProperty, IdsNameTheBoxThatIsSeen) {

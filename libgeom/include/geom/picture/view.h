@@ -48,6 +48,11 @@ class Rays {
     return {shared_, across};
   }
   bool parallel() const { return parallel_; }
+  // through(u, v) has corner() + u * right() + v * down(), and shared().
+  const Vec3& corner() const { return corner_; }
+  const Vec3& right() const { return right_; }
+  const Vec3& down() const { return down_; }
+  const Vec3& shared() const { return shared_; }
   double pixel() const { return pixel_; }  // metres across at a depth of one metre, or anywhere
 
  private:
