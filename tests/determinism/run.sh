@@ -12,6 +12,7 @@ for i in 1 2 3 4 5 6 7 8 9; do
   echo "{\"id\":\"q$i\",\"from\":[-4${i}0,-30$i,6],\"to\":[3${i}0,2${i}4,9]}"
 done > queries
 for threads in 1 2 7; do
+  skyway-import -q "$table" --threads $threads -o map.$threads
   skyway-lattice map --spacing 10 --connect 26 --vehicle box:0.5,0.5,0.3 --threads $threads -o lattice.$threads
   skyway-plan map --lattice lattice.$threads --queries queries --vehicle box:0.5,0.5,0.3 --snap-ends 30 \
     --threads $threads -o paths.$threads || [ $? -eq 1 ]
@@ -24,7 +25,7 @@ for threads in 1 2 7; do
   skyway-fly trajectories.$threads --vehicle "$vehicle" --wind 3,1,0 --gusts 3 --noise 0.01,0.05,0.5,1 --mass-error 0.1 \
     --runs 9 --log-rate 10 --threads $threads -o log.$threads --report-file flights.$threads || [ $? -eq 1 ]
 done
-for kind in lattice paths replanned trajectories reports fleet delays log flights; do
+for kind in map lattice paths replanned trajectories reports fleet delays log flights; do
   cmp $kind.1 $kind.2
   cmp $kind.1 $kind.7
 done

@@ -1,5 +1,7 @@
 // skyway-import: city tables, block texts, simulated worlds, voxels and octrees become box maps.
 
+#include <filesystem>
+
 #include "cli/file/files.h"
 #include "cli/option/format_options.h"
 #include "cli/option/map_output.h"
@@ -75,7 +77,7 @@ void Options::settle() {
 int main(int argc, char** argv) {
   CLI::App app{"Convert a city table, block text, Gazebo world, voxels or an OctoMap to a box map.",
                "skyway-import"};
-  cli::Common common(app);
+  cli::Common common(app, true);
   Options options;
   std::string input;
   std::string output = "-";
@@ -101,9 +103,13 @@ int main(int argc, char** argv) {
     const std::string_view word = options.draft.format->format->word;
     cli::require_used(app, format_options(), word, cli::read_as(file.name(), word));
     options.settle();
+    if (std::filesystem::is_regular_file(input)) {
+      options.draft.bytes = std::filesystem::file_size(input);
+    }
     cli::write_map(common, output,
                    geom::draft_boxes(hashed, file.name(), options.draft,
-                                     cli::notes_of(common, "skyway-import")));
+                                     cli::notes_of(common, "skyway-import"),
+                                     {common.execution("").threads, {}}));
     return cli::Exit::yes;
   });
 }

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "cli/file/files.h"
 #include "geom/base/notes.h"
 #include "geom/map/map_draft.h"
 #include "pybind_module.h"
@@ -19,7 +20,7 @@ inline py::tuple made(const std::function<geom::MapDraft(const geom::Notes&)>& d
   std::optional<geom::MadeMap> made;
   {
     const py::gil_scoped_release released;
-    made = geom::make_map(draft(notes));
+    made = geom::make_map(draft(notes), cli::all_cores());
   }
   return py::make_tuple(std::move(made->map), warnings);
 }

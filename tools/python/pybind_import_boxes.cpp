@@ -32,7 +32,9 @@ py::tuple import_boxes(const std::string& path, const py::dict& keywords) {
     return geom::read_collada(file.text, file.name);
   };
 #endif
-  return made([&](const geom::Notes& notes) { return geom::draft_boxes(path, options, notes); });
+  return made([&](const geom::Notes& notes) {
+    return geom::draft_boxes(path, options, notes, cli::all_cores());
+  });
 }
 
 }  // namespace

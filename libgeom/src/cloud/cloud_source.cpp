@@ -10,8 +10,9 @@
 namespace geom {
 namespace {
 
-void require_in_reach(const Vec3& metres, const std::string& name) {
-  if (metres.cwiseAbs().maxCoeff() <= kLargestCoordinate) return;
+bool is_in_reach(const Vec3& metres) { return (metres.array().abs() <= kLargestCoordinate).all(); }
+
+[[noreturn]] void refuse_reach(const Vec3& metres, const std::string& name) {
   throw InputError(
       name, {.key = "a point",
              .expected = "within 1e8 m of the origin",
@@ -36,7 +37,9 @@ void CloudSource::place_wanted(std::span<const CloudPoint> chunk) {
     if (wants(p)) wanted_.push_back(p);
   }
   place_.place(wanted_);
-  for (const CloudPoint& p : wanted_) require_in_reach(p.position, file_.name);
+  for (const CloudPoint& p : wanted_) {
+    if (!is_in_reach(p.position)) refuse_reach(p.position, file_.name);
+  }
 }
 
 void CloudSource::settle(const CoordinateReference& told) {
@@ -45,12 +48,18 @@ void CloudSource::settle(const CoordinateReference& told) {
 }
 
 void CloudSource::for_each(const std::function<void(const CloudPoint&)>& f) {
+  for_each_chunk([&](std::span<const CloudPoint> points) {
+    for (const CloudPoint& p : points) f(p);
+  });
+}
+
+void CloudSource::for_each_chunk(const PointSink& f) {
   other_class_ = 0;
   noise_ = 0;
   part_.reset();
   const auto points = [&](std::span<const CloudPoint> chunk) {
     place_wanted(chunk);
-    for (const CloudPoint& p : wanted_) f(p);
+    f(wanted_);
   };
   if (!read_before_) {
     read_before_ = true;

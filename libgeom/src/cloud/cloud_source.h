@@ -20,7 +20,9 @@ class CloudSource {
   CloudSource(const CloudFile& file, const CloudDraftOptions& options, const Execution& run)
       : file_(file), options_(options), run_(run), place_(options.place) {}
 
-  // Reads the file, once more each time. `f` is called by one thread at a time.
+  // Reads the file, once more each time. `f` is called by one thread at a time, for many points or
+  // for each.
+  void for_each_chunk(const PointSink& f);
   void for_each(const std::function<void(const CloudPoint&)>& f);
 
   // Of the last reading:

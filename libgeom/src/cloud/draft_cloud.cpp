@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include "cloud_source.h"
+#include "column_filler.h"
 #include "geom/base/error.h"
 #include "geom/base/usage_error.h"
 #include "geom/cloud/clusters.h"
@@ -25,14 +25,6 @@ struct Steps {
   void add(const char* what, std::size_t count) { facts.emplace_back(what, count); }
 };
 
-// Points by square places of 16 cells: a shard has a part of the columns, not of each.
-bool takes(const Shard& shard, const Vec3& p, double cell) {
-  const auto place = [&](double v) {
-    return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(v / (16 * cell))));
-  };
-  return shard.takes(place(p.x()) + 31 * place(p.y()));
-}
-
 // `points` calls its argument for each point that the ground is told by.
 template <class Points>
 GroundFilter told_ground(const CloudDraftOptions& options, const Points& points, Steps& steps) {
@@ -44,29 +36,31 @@ GroundFilter told_ground(const CloudDraftOptions& options, const Points& points,
   return ground;
 }
 
+// Reads on, and fills the columns at the same time. Points that came before what is wrong with the
+// file are looked at first, so that the first fault is told.
+void fill(ColumnFiller& filler, CloudSource& source) {
+  try {
+    source.for_each_chunk([&](std::span<const CloudPoint> points) { filler.add(points); });
+  } catch (...) {
+    filler.finish();
+    throw;
+  }
+  filler.finish();
+}
+
 ColumnGrid streamed(CloudSource& source, const CloudDraftOptions& options, const Shard& shard,
-                    Steps& steps) {
+                    const Execution& run, Steps& steps) {
   const auto points = [&](const auto& add) {
     if (options.ground_by != "class") source.for_each(add);
   };
   const std::optional<GroundFilter> ground =
       options.drop_ground ? std::optional(told_ground(options, points, steps)) : std::nullopt;
-  ColumnGrid columns(options.columns);
-  std::size_t kept = 0;
-  std::size_t dropped = 0;
-  source.for_each([&](const CloudPoint& p) {
-    if (shard.count > 1 && !takes(shard, p.position, options.columns.cell)) return;
-    if (ground && ground->is_ground(p)) {
-      ++dropped;
-      return;
-    }
-    ++kept;
-    columns.add(p.position, options.resolution);
-  });
+  ColumnFiller filler(options, shard, ground ? &*ground : nullptr, run);
+  fill(filler, source);
   for (Fact& fact : source.facts()) steps.facts.push_back(std::move(fact));
-  if (ground) steps.add("dropped_as_ground", dropped);
-  steps.add("kept", kept);
-  return columns;
+  if (ground) steps.add("dropped_as_ground", filler.dropped());
+  steps.add("kept", filler.kept());
+  return filler.take_columns();
 }
 
 CloudPoints without_ground(const CloudPoints& points, const CloudDraftOptions& options,
@@ -102,7 +96,7 @@ BoxTable object_boxes(const CloudPoints& points, const CloudDraftOptions& option
 }
 
 BoxTable filtered(CloudSource& source, const CloudDraftOptions& options, const std::string& name,
-                  Steps& steps) {
+                  const Execution& run, Steps& steps) {
   CloudPoints points;
   source.for_each([&](const CloudPoint& p) { points.push_back(p); });
   steps.facts = source.facts();
@@ -117,9 +111,11 @@ BoxTable filtered(CloudSource& source, const CloudDraftOptions& options, const s
   if (options.drop_ground) apply("dropped_as_ground", without_ground(points, options, steps));
   if (options.objects) return object_boxes(points, options, steps);
   ColumnGrid columns(options.columns);
-  for (const CloudPoint& p : points) columns.add(p.position);
+  std::vector<Vec3> places;
+  for (const CloudPoint& p : points) places.push_back(p.position);
+  columns.add(places, 0, run);
   steps.add("kept", points.size());
-  return columns.boxes(name);
+  return columns.boxes(name, run);
 }
 
 void add_ground(HistoryStep& step, const CloudDraftOptions& options, const std::string& by) {
@@ -228,8 +224,10 @@ MapDraft draft_cloud(const CloudFile& file, const CloudDraftOptions& asked, cons
   const CloudDraftOptions options = settled(asked, file);
   CloudSource source(file, options, run);
   Steps steps;
-  BoxTable table = options.in_memory() ? filtered(source, options, file.name, steps)
-                                       : streamed(source, options, {}, steps).boxes(file.name);
+  const Execution quiet{run.threads, {}};
+  BoxTable table = options.in_memory()
+                       ? filtered(source, options, file.name, quiet, steps)
+                       : streamed(source, options, {}, quiet, steps).boxes(file.name, quiet);
   const std::string line = line_of(steps.facts);
   if (table.boxes.empty()) {
     throw InputError(file.name, {.expected = "at least one point to make boxes of",
@@ -255,7 +253,7 @@ ColumnDraft draft_columns(const CloudFile& file, const CloudDraftOptions& asked,
   const CloudDraftOptions options = settled(asked, file);
   CloudSource source(file, options, run);
   Steps steps;
-  ColumnGrid columns = streamed(source, options, shard, steps);
+  ColumnGrid columns = streamed(source, options, shard, {run.threads, {}}, steps);
   return {settled(source, options, std::move(steps), file.name, notes), std::move(columns)};
 }
 

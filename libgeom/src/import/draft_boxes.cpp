@@ -12,8 +12,9 @@ namespace geom {
 namespace {
 
 ImportedBoxes imported(HashedStream& file, const std::string& source, const BoxFormat& format,
-                       const BoxDraftOptions& options, SdfModelFiles& models) {
-  ImportOptions read{options.unknown_blocked, {}};
+                       const BoxDraftOptions& options, SdfModelFiles& models,
+                       const Execution& run) {
+  ImportOptions read{options.unknown_blocked, {}, run, options.bytes};
   read.sdf.slack = options.slack;
   read.sdf.visuals = options.visuals;
   read.sdf.without = {options.without.begin(), options.without.end()};
@@ -91,10 +92,10 @@ std::vector<Fact> facts_of(const ImportedBoxes& boxes, const BoxFormat& format) 
 }  // namespace
 
 MapDraft draft_boxes(HashedStream& file, const std::string& source, const BoxDraftOptions& options,
-                     const Notes& notes) {
+                     const Notes& notes, const Execution& run) {
   const BoxFormat& format = options.format ? *options.format : box_format_of(file.head(), source);
   SdfModelFiles models(options.model_path, options.open);
-  ImportedBoxes boxes = imported(file, source, format, options, models);
+  ImportedBoxes boxes = imported(file, source, format, options, models, run);
   tell(boxes, options.unknown_blocked, source, notes);
   if (boxes.bounds && options.map.pad) {
     throw UsageError(
@@ -114,10 +115,11 @@ MapDraft draft_boxes(HashedStream& file, const std::string& source, const BoxDra
   return draft;
 }
 
-MapDraft draft_boxes(const std::string& path, const BoxDraftOptions& options, const Notes& notes) {
+MapDraft draft_boxes(const std::string& path, const BoxDraftOptions& options, const Notes& notes,
+                     const Execution& run) {
   const auto in = options.open(path);
   HashedStream file(*in);
-  return draft_boxes(file, path, options, notes);
+  return draft_boxes(file, path, options, notes, run);
 }
 
 }  // namespace geom

@@ -7,13 +7,18 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <mutex>
+#include <optional>
 #include <ostream>
+#include <utility>
 
+#include "base/in_order.h"
 #include "geom/base/rounding.h"
 #include "geom/import/box_format.h"
 #include "geom/text/beginning.h"
 #include "geom/text/number.h"
 #include "geom/text/text_table.h"
+#include "text/line_blocks.h"
 
 namespace geom {
 namespace {
@@ -120,7 +125,38 @@ void require_no_names(const TextLines& lines) {
                 .advice = fmt::format("remove the # of \"{}\"", lines.line().substr(0, 80))});
 }
 
-void add_box(const TextLines& lines, const Columns& columns, std::size_t width, FcndTable& out) {
+using Numbers = std::array<double, 6>;  // centre and half sizes
+
+// Six plain numbers between commas, perhaps with blanks, in place `columns`, as nearly all lines
+// have them; nothing where the line may be anything else.
+std::optional<Numbers> plain_numbers(std::string_view line, const Columns& columns) {
+  Numbers fields;
+  const char* at = line.data();
+  const char* const end = at + line.size();
+  const auto pass_blanks = [&] {
+    while (at != end && (*at == ' ' || *at == '\t')) ++at;
+  };
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    pass_blanks();
+    const auto [rest, error] = read_number(at, end, fields[i]);
+    if (error != std::errc() || !(std::abs(fields[i]) <= kLargestCoordinate)) return std::nullopt;
+    at = rest;
+    pass_blanks();
+    const bool last = i + 1 == fields.size();
+    if (last ? at != end : at == end || *at++ != ',') return std::nullopt;
+  }
+  Numbers v;
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    if (columns[i] >= fields.size()) return std::nullopt;
+    v[i] = fields[columns[i]];
+  }
+  const bool sizes = v[3] >= 0 && v[4] >= 0 && v[5] >= 0 && v[3] + v[4] + v[5] > 0;
+  return sizes ? std::optional(v) : std::nullopt;
+}
+
+// Of any line, or its refusal.
+Numbers checked_numbers(const TextLines& lines, const Columns& columns, std::size_t width,
+                        FcndTable& out) {
   const auto fields = split_fields(lines.line());
   const std::size_t needed = *std::max_element(columns.begin(), columns.end()) + 1;
   if (fields.size() < needed) {
@@ -132,7 +168,7 @@ void add_box(const TextLines& lines, const Columns& columns, std::size_t width, 
     out.skipped.add("field without a column",
                     fmt::format("line {}: {}", lines.number(), fields[i].substr(0, 40)));
   }
-  std::array<double, 6> v;
+  Numbers v;
   for (std::size_t i = 0; i < v.size(); ++i) {
     v[i] = coordinate(lines, kNames[i], fields[columns[i]]);
     if (i >= 3 && v[i] < 0) {
@@ -141,53 +177,151 @@ void add_box(const TextLines& lines, const Columns& columns, std::size_t width, 
                     .found = in_quotes(fields[columns[i]])});
     }
   }
-  const auto zeros = std::count(v.begin() + 3, v.end(), 0.0);
-  if (zeros == 3) {
+  if (std::count(v.begin() + 3, v.end(), 0.0) == 3) {
     lines.refuse(
         {.expected = "a half size > 0",
          .found = fmt::format("three zeros (is this a latitude and longitude line?): \"{}\"",
                               lines.line().substr(0, 80))});
   }
-  out.flat += zeros > 0;
+  return v;
+}
+
+void add_box(const TextLines& lines, const Columns& columns, std::size_t width, FcndTable& out) {
+  const auto plain = plain_numbers(lines.line(), columns);
+  const Numbers v = plain ? *plain : checked_numbers(lines, columns, width, out);
+  out.flat += std::count(v.begin() + 3, v.end(), 0.0) > 0;
   Aabb box;
+  double size = 0;
   for (int i = 0; i < 3; ++i) {
     box.min[i] = add_down(v[i], -v[i + 3]);
     box.max[i] = add_up(v[i], v[i + 3]);
-    out.largest_change =
-        std::max(out.largest_change, ulp(std::abs(box.max[i]) + std::abs(box.min[i])));
+    size = std::max(size, std::abs(box.max[i]) + std::abs(box.min[i]));
   }
+  out.largest_change = std::max(out.largest_change, ulp(size));  // which grows with the size
   out.table.add(box, lines.number());
+}
+
+// What stands before the boxes, and which columns they have.
+struct Layout {
+  Columns columns = {0, 1, 2, 3, 4, 5};
+  std::size_t width = 6;  // columns
+};
+
+// Reads up to the header, or up to the first box where there is none, which is then in `out`.
+Layout read_layout(TextLines& lines, FcndTable& out) {
+  Layout layout;
+  while (lines.next()) {
+    if (lines.line().empty()) continue;
+    if (lines.line()[0] == '#') {
+      require_no_names(lines);
+      continue;
+    }
+    if (!out.origin && (out.origin = parse_origin(lines))) continue;
+    if (starts_with_number(lines.line())) {
+      add_box(lines, layout.columns, layout.width, out);
+      break;
+    }
+    // The three-line form names the two columns of its next line first.
+    if (split_fields(lines.line()) == std::vector<std::string>{"lat0", "lon0"}) continue;
+    layout.columns = parse_header(lines, out);
+    layout.width = split_fields(lines.line()).size();
+    break;
+  }
+  return layout;
+}
+
+void reserve(BoxTable& table, std::size_t boxes) {
+  table.boxes.reserve(boxes);
+  table.ids.reserve(boxes);
+  table.label.reserve(boxes);
+}
+
+// A part of the file, and what it holds. Memory that was used once is used again: fresh memory
+// costs more than the copy into the table.
+struct Block {
+  LineBlock lines;
+  FcndTable boxes;
+
+  void parse(std::string_view source, const Layout& layout) {
+    BoxTable table = std::move(boxes.table);
+    table.boxes.clear();
+    table.ids.clear();
+    table.label.clear();
+    boxes = {std::move(table), {}, 0, {}, 0};
+    TextLines text(lines.text, lines.before, source);
+    while (text.next()) {
+      if (!text.line().empty()) add_box(text, layout.columns, layout.width, boxes);
+    }
+  }
+};
+
+// Blocks that were taken, for those to come.
+class SpareBlocks {
+ public:
+  Block take() {
+    const std::lock_guard lock(mutex_);
+    if (blocks_.empty()) return {};
+    Block block = std::move(blocks_.back());
+    blocks_.pop_back();
+    return block;
+  }
+  void give(Block block) {
+    const std::lock_guard lock(mutex_);
+    blocks_.push_back(std::move(block));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<Block> blocks_;
+};
+
+void append(FcndTable& out, const FcndTable& block) {
+  append(out.table, block.table);
+  out.flat += block.flat;
+  out.skipped.add(block.skipped);
+  out.largest_change = std::max(out.largest_change, block.largest_change);
+}
+
+// Parses all that is left of the stream on all threads; gives the number of its last line.
+std::size_t read_boxes(std::istream& in, std::size_t before, std::string_view source,
+                       const Layout& layout, const Execution& run, std::uint64_t bytes,
+                       FcndTable& out) {
+  LineBlocks blocks(in, before, source);
+  SpareBlocks spare;
+  const auto next = [&]() -> std::optional<Block> {
+    Block block = spare.take();
+    if (!blocks.next(block.lines)) return std::nullopt;
+    return block;
+  };
+  bool first = true;
+  const auto take = [&](Block& block) {
+    // A twentieth more than a file has whose lines are as long as those of its first block.
+    if (std::exchange(first, false)) {
+      const std::uint64_t text = block.lines.text.size();
+      reserve(out.table, block.boxes.table.boxes.size() * (bytes + bytes / 20 + text) / text);
+    }
+    append(out, block.boxes);
+    spare.give(std::move(block));
+  };
+  in_order<Block>(
+      run, 4 * run.threads, next, [&](Block& block) { block.parse(source, layout); }, take);
+  return blocks.lines();
 }
 
 }  // namespace
 
-FcndTable read_fcnd_csv(std::istream& in, std::string_view source) {
-  TextLines lines(in, source, true);
+FcndTable read_fcnd_csv(std::istream& in, std::string_view source, const Execution& run,
+                        std::uint64_t bytes) {
   FcndTable out;
-  Columns columns = {0, 1, 2, 3, 4, 5};
-  std::size_t width = columns.size();
-  bool header = false;
-  while (lines.next()) {
-    if (lines.line().empty()) continue;
-    const bool preamble = !header && out.table.boxes.empty();
-    if (preamble && lines.line()[0] == '#') {
-      require_no_names(lines);
-      continue;
-    }
-    if (preamble && !out.origin && (out.origin = parse_origin(lines))) continue;
-    if (preamble && !starts_with_number(lines.line())) {
-      // The three-line form names the two columns of its next line first.
-      if (split_fields(lines.line()) == std::vector<std::string>{"lat0", "lon0"}) continue;
-      columns = parse_header(lines, out);
-      width = split_fields(lines.line()).size();
-      header = true;
-      continue;
-    }
-    add_box(lines, columns, width, out);
-  }
+  TextLines lines(in, source, true);
+  const Layout layout = read_layout(lines, out);
+  const std::size_t last = read_boxes(in, lines.number(), source, layout, run, bytes, out);
   if (out.table.boxes.empty()) {
-    if (!lines.number()) lines.refuse({.expected = "an FCND table", .found = "an empty file"});
-    lines.refuse({.expected = "at least one box after the header", .found = "none"});
+    if (last == 0) {
+      throw InputError(source, {.expected = "an FCND table", .found = "an empty file"});
+    }
+    throw InputError(source, last,
+                     {.expected = "at least one box after the header", .found = "none"});
   }
   return out;
 }
@@ -212,8 +346,8 @@ void write_fcnd_csv(std::ostream& out, const GeodeticOrigin& origin,
 
 namespace {
 
-ImportedBoxes import_fcnd(std::istream& in, std::string_view source, const ImportOptions&) {
-  FcndTable fcnd = read_fcnd_csv(in, source);
+ImportedBoxes import_fcnd(std::istream& in, std::string_view source, const ImportOptions& options) {
+  FcndTable fcnd = read_fcnd_csv(in, source, options.run, options.bytes);
   ImportedBoxes out;
   out.table = std::move(fcnd.table);
   out.frame = {Axes::neu, fcnd.origin, ""};

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/large_array.h"
 #include "geom/archive/array_archive.h"
 #include "geom/map/box_map.h"
 #include "tile_table.h"
@@ -18,9 +19,11 @@ namespace geom {
 
 struct BoxMap::Data {
   struct Owned {
-    std::vector<Aabb> boxes;
-    std::vector<std::uint64_t> ids;
-    std::vector<std::uint32_t> label;
+    explicit Owned(std::size_t count) : boxes(count), ids(count), label(count) {}
+
+    LargeArray<Aabb> boxes;
+    LargeArray<std::uint64_t> ids;
+    LargeArray<std::uint32_t> label;
     std::vector<std::uint64_t> timed;
     std::vector<TimeSpan> times;
   };

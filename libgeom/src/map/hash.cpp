@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/spread_sort.h"
 #include "geom/base/mapped_file.h"
 #include "geom/base/parallel.h"
 #include "geom/base/sha256.h"
@@ -61,7 +62,7 @@ struct Column {
   }
 };
 
-// Calls f(box) for the boxes of a column, in order.
+// Calls f(box) for the boxes of a column, in order, which takes no memory.
 template <class F>
 void merge(const Column& column, const F& f) {
   std::vector<Run> heap(column.parts.begin(), column.parts.end());
@@ -74,6 +75,27 @@ void merge(const Column& column, const F& f) {
     }
     sink(heap, 0);
   }
+}
+
+// The boxes of a column that is held, in order. Its parts follow each other along y, so those of
+// one x are mostly in order already.
+std::vector<Aabb> boxes_in_order(const Column& column) {
+  struct At {
+    double x;
+    const Aabb* box;
+  };
+  std::vector<At> order;
+  order.reserve(column.boxes);
+  for (const auto& part : column.parts) {
+    for (const Aabb& box : part) order.push_back({box.min.x(), &box});
+  }
+  spread_sort(order, [](const At& a, const At& b) {
+    return a.x != b.x ? a.x < b.x : comes_before(*a.box, *b.box);
+  });
+  std::vector<Aabb> out;
+  out.reserve(column.boxes);
+  for (const At& at : order) out.push_back(canonical(*at.box));
+  return out;
 }
 
 std::vector<Column> columns_of(double size, std::span<const Tile> tiles,
@@ -119,14 +141,14 @@ void add_streamed(Sha256& sum, const Column& column) {
   add(sum, part);
 }
 
-// Columns copied out of the map, in the order of the file: merged where they are, they would keep
+// Columns, copied out of a mapped file in its order: sorted where they are, they would keep
 // pages from all over it in memory.
 struct Window {
   std::vector<Aabb> boxes;
-  std::vector<Column> columns;  // of these boxes
+  std::vector<Column> columns;  // of these boxes, or of the map's own where those are in memory
 };
 
-Window copy(std::span<const Column> columns) {
+Window copied(std::span<const Column> columns) {
   struct Part {
     std::span<const Aabb> boxes;
     std::size_t column;
@@ -153,8 +175,12 @@ Window copy(std::span<const Column> columns) {
   return window;
 }
 
+Window window_of(std::span<const Column> columns, bool is_mapped) {
+  return is_mapped ? copied(columns) : Window{{}, {columns.begin(), columns.end()}};
+}
+
 // How many of the columns make the first window; 0 where the first is too long to be held.
-std::size_t window_of(std::span<const Column> columns) {
+std::size_t window_size(std::span<const Column> columns) {
   if (columns.empty() || columns.front().boxes > kLongest) return 0;
   std::size_t count = 1;
   std::size_t boxes = columns.front().boxes;
@@ -164,34 +190,32 @@ std::size_t window_of(std::span<const Column> columns) {
   return count;
 }
 
-// A window goes through three hands, copied, merged and summed, and each window through another at
+// A window goes through three hands, taken, sorted and summed, and each window through another at
 // the same time.
-void add_boxes(Sha256& sum, std::span<const Column> columns, const Execution& run) {
-  Window copied;
+void add_boxes(Sha256& sum, std::span<const Column> columns, bool is_mapped, const Execution& run) {
+  Window taken;
   std::vector<std::vector<Aabb>> ready;
-  while (!columns.empty() || !copied.columns.empty() || !ready.empty()) {
-    const std::size_t next = window_of(columns);
-    if (next == 0 && copied.columns.empty() && ready.empty()) {
+  while (!columns.empty() || !taken.columns.empty() || !ready.empty()) {
+    const std::size_t next = window_size(columns);
+    if (next == 0 && taken.columns.empty() && ready.empty()) {
       add_streamed(sum, columns.front());
       columns = columns.subspan(1);
       continue;
     }
     Window fresh;
-    std::vector<std::vector<Aabb>> merged(copied.columns.size());
-    parallel_for(merged.size() + 2, {run.threads, {}}, [&](std::size_t i) {
+    std::vector<std::vector<Aabb>> sorted(taken.columns.size());
+    parallel_for(sorted.size() + 2, {run.threads, {}}, [&](std::size_t i) {
       if (i == 0) {
         for (const auto& some : ready) add(sum, some);
       } else if (i == 1) {
-        fresh = copy(columns.first(next));
+        fresh = window_of(columns.first(next), is_mapped);
       } else {
-        const Column& column = copied.columns[i - 2];
-        merged[i - 2].reserve(column.boxes);
-        merge(column, [&](const Aabb& box) { merged[i - 2].push_back(box); });
+        sorted[i - 2] = boxes_in_order(taken.columns[i - 2]);
       }
     });
     columns = columns.subspan(next);
-    copied = std::move(fresh);
-    ready = std::move(merged);
+    taken = std::move(fresh);
+    ready = std::move(sorted);
   }
 }
 
@@ -233,7 +257,8 @@ std::string hash_of(const BoxMapSpec& spec, std::span<const Tile> tiles,
   }
   const Aabb bounds = canonical(spec.bounds);
   sum.update(std::as_bytes(std::span(&bounds, 1)));
-  add_boxes(sum, columns_of(spec.tile_size, tiles, boxes), run);
+  const bool is_mapped = mapped_file_at(boxes.data()) != nullptr;
+  add_boxes(sum, columns_of(spec.tile_size, tiles, boxes), is_mapped, run);
   add_timed(sum, boxes, timed);
   return "sha256:" + sum.hex();
 }

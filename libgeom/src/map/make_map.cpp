@@ -2,12 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <vector>
 
 #include "geom/base/error.h"
+#include "geom/base/parallel.h"
 #include "geom/base/rounding.h"
 #include "require_bounds.h"
+#include "tile_sort.h"
 
 namespace geom {
 namespace {
@@ -23,42 +28,90 @@ Aabb scaled(const Aabb& box, double factor) {
   return out;
 }
 
-void resize(BoxTable& table, std::string_view source, const MakeMapOptions& options) {
-  for (std::size_t i = 0; i < table.boxes.size(); ++i) {
-    Aabb& box = table.boxes[i];
-    if (options.scale != 1) box = scaled(box, options.scale);
-    if (options.bloat_percent > 0) {
-      box = grow(box, (box.max - box.min) * (options.bloat_percent / 200));
-    }
-    if (options.inflate > 0) box = grow(box, Vec3::Constant(options.inflate));
-    if (!(box.min.cwiseAbs().maxCoeff() <= kLargestCoordinate &&
-          box.max.cwiseAbs().maxCoeff() <= kLargestCoordinate)) {
-      throw InputError(
-          source, {.says = fmt::format("expected boxes within 1e8 m of the origin, once "
-                                       "scaled and grown; found box {} of the source from "
-                                       "[{}, {}, {}] to [{}, {}, {}]",
-                                       table.ids[i], box.min[0], box.min[1], box.min[2], box.max[0],
-                                       box.max[1], box.max[2])});
-    }
-  }
+constexpr std::size_t kStretch = std::size_t{1} << 16;  // boxes that a thread takes at once
+
+// Calls f(part, boxes) for parts of the table that are the same for any number of threads.
+template <class F>
+void for_parts(BoxTable& table, const Execution& run, const F& f) {
+  const std::size_t n = table.boxes.size();
+  parallel_for((n + kStretch - 1) / kStretch, {run.threads, {}}, [&](std::size_t part) {
+    const std::size_t begin = part * kStretch;
+    f(part, std::span(table.boxes).subspan(begin, std::min(kStretch, n - begin)));
+  });
 }
 
-std::size_t seal_to_floor(BoxTable& table, double floor, double seal) {
-  std::size_t sealed = 0;
-  for (Aabb& box : table.boxes) {
-    if (box.min.z() > floor && box.min.z() - floor < seal) {
-      box.min.z() = floor;
-      ++sealed;
-    }
+bool within_reach(const Aabb& box) {
+  return box.min.cwiseAbs().maxCoeff() <= kLargestCoordinate &&
+         box.max.cwiseAbs().maxCoeff() <= kLargestCoordinate;
+}
+
+void require_within_reach(const BoxTable& table, std::string_view source) {
+  const auto box = std::find_if_not(table.boxes.begin(), table.boxes.end(), within_reach);
+  if (box == table.boxes.end()) return;
+  throw InputError(
+      source, {.says = fmt::format("expected boxes within 1e8 m of the origin, once "
+                                   "scaled and grown; found box {} of the source from "
+                                   "[{}, {}, {}] to [{}, {}, {}]",
+                                   table.ids[static_cast<std::size_t>(box - table.boxes.begin())],
+                                   box->min[0], box->min[1], box->min[2], box->max[0], box->max[1],
+                                   box->max[2])});
+}
+
+Aabb resized(Aabb box, const MakeMapOptions& options) {
+  if (options.scale != 1) box = scaled(box, options.scale);
+  if (options.bloat_percent > 0) {
+    box = grow(box, (box.max - box.min) * (options.bloat_percent / 200));
   }
-  return sealed;
+  if (options.inflate > 0) box = grow(box, Vec3::Constant(options.inflate));
+  return box;
+}
+
+// Gives all boxes the size that the options ask for, and gives what is around them.
+Aabb resize(BoxTable& table, std::string_view source, const MakeMapOptions& options,
+            const Execution& run) {
+  const bool changes = options.scale != 1 || options.bloat_percent > 0 || options.inflate > 0;
+  std::vector<Aabb> around(table.boxes.size() / kStretch + 1, table.boxes.front());
+  for_parts(table, run, [&](std::size_t part, std::span<Aabb> boxes) {
+    if (changes) {
+      for (Aabb& box : boxes) box = resized(box, options);
+    }
+    around[part] = *bounds(boxes);
+  });
+  around.resize((table.boxes.size() + kStretch - 1) / kStretch);
+  const Aabb all = *bounds(around);
+  if (!within_reach(all)) require_within_reach(table, source);
+  return all;
+}
+
+// Of obstacles: how many were let down to the floor, and are outside the bounds.
+struct Sealed {
+  std::size_t sealed = 0;
+  std::size_t beyond = 0;
+};
+
+Sealed seal_to_floor(BoxTable& table, const Aabb& inside, double seal, const Execution& run) {
+  const double floor = inside.min.z();
+  std::vector<Sealed> parts(table.boxes.size() / kStretch + 1);
+  for_parts(table, run, [&](std::size_t part, std::span<Aabb> boxes) {
+    Sealed count;
+    for (Aabb& box : boxes) {
+      if (box.min.z() > floor && box.min.z() - floor < seal) {
+        box.min.z() = floor;
+        ++count.sealed;
+      }
+      count.beyond += !overlap(box, inside);
+    }
+    parts[part] = count;
+  });
+  Sealed all;
+  for (const Sealed& part : parts) all = {all.sealed + part.sealed, all.beyond + part.beyond};
+  return all;
 }
 
 // Numbers that count from an origin on Earth count from near it: those of a country's projection
 // would put the map, and home, into another country.
-void require_near_origin(const BoxTable& table, const Frame& frame, std::string_view source) {
+void require_near_origin(const Aabb& all, const Frame& frame, std::string_view source) {
   if (!frame.origin || !frame.crs.empty()) return;
-  const Aabb all = *bounds(table.boxes);
   const Vec3 nearest = Vec3::Zero().cwiseMax(all.min).cwiseMin(all.max);
   const double away = nearest.head<2>().norm();
   if (away <= kFurthestFromOrigin) return;
@@ -73,9 +126,9 @@ void require_near_origin(const BoxTable& table, const Frame& frame, std::string_
 }  // namespace
 
 MadeMap make_map(BoxTable table, Frame frame, std::string history, std::string_view source,
-                 const MakeMapOptions& options) {
-  resize(table, source, options);
-  require_near_origin(table, frame, source);
+                 const MakeMapOptions& options, const Execution& run) {
+  const Aabb around = resize(table, source, options, run);
+  require_near_origin(around, frame, source);
   BoxMapSpec spec;
   spec.frame = std::move(frame);
   spec.history = std::move(history);
@@ -84,7 +137,7 @@ MadeMap make_map(BoxTable table, Frame frame, std::string history, std::string_v
   if (given) {
     spec.bounds = options.bounds ? *options.bounds : scaled(*options.source_bounds, options.scale);
   } else {
-    spec.bounds = *bounds(table.boxes);
+    spec.bounds = around;
     const double pad = options.pad.value_or(0);
     spec.bounds.min -= Vec3(pad, pad, 0);
     spec.bounds.max += Vec3(pad, pad, options.headroom.value_or(pad));
@@ -93,10 +146,8 @@ MadeMap make_map(BoxTable table, Frame frame, std::string history, std::string_v
   if (!options.bounds && options.ceiling) spec.bounds.max.z() = *options.ceiling;
   spec.bounds_from = options.bounds ? "option" : options.source_bounds ? "source" : "obstacles";
   require_bounds(spec.bounds, source);
-  const std::size_t sealed = seal_to_floor(table, spec.bounds.min.z(), options.seal.value_or(0));
-  std::size_t beyond = 0;
-  for (const Aabb& box : table.boxes) beyond += !overlap(box, spec.bounds);
-  return {BoxMap(std::move(spec), table), sealed, beyond};
+  const Sealed count = seal_to_floor(table, spec.bounds, options.seal.value_or(0), run);
+  return {box_map_of(std::move(spec), table, run), count.sealed, count.beyond};
 }
 
 }  // namespace geom

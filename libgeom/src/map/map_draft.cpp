@@ -39,12 +39,12 @@ void settle_skipped(const Skipped& skipped, bool allowed, const std::string& sou
 
 std::string history_of(const HistoryStep& step) { return HistoryStep::array({step}).dump(); }
 
-MadeMap make_map(MapDraft draft) {
+MadeMap make_map(MapDraft draft, const Execution& run) {
   if (draft.table.boxes.empty()) {
     throw InputError(draft.source, {.expected = "at least one obstacle", .found = "none"});
   }
   return make_map(std::move(draft.table), std::move(draft.frame), std::move(draft.history),
-                  draft.source, draft.options);
+                  draft.source, draft.options, run);
 }
 
 std::size_t skipped_in(const BoxMapSpec& spec) {

@@ -2,7 +2,6 @@
 
 // Which tile a box belongs to, and the order of boxes.
 
-#include <cmath>
 #include <compare>
 #include <cstdint>
 
@@ -14,7 +13,9 @@ namespace geom {
 // Cell indices stay exact in a double and in 32 bits for kLargestCoordinate and tiles of 1 m. Never
 // falls as the coordinate rises.
 inline std::int32_t cell(double coordinate, double size) {
-  return static_cast<std::int32_t>(std::floor(coordinate / size));
+  const double cells = coordinate / size;
+  const auto towards_zero = static_cast<std::int32_t>(cells);
+  return towards_zero - (towards_zero > cells);
 }
 
 struct Place {

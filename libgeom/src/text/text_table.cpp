@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 
@@ -18,20 +19,29 @@ Fault lone_return() {
 }
 
 std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+  const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; };
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+// The next line as it stands; false at the end.
+bool TextLines::take_line() {
+  if (in_) {
+    const bool more = static_cast<bool>(std::getline(*in_, buffer_));
+    if (in_->bad()) throw FileError(FileUse::reading, source_, EIO);
+    line_ = buffer_;
+    return more;
+  }
+  if (rest_.empty()) return false;
+  line_ = rest_.substr(0, rest_.find('\n'));
+  rest_.remove_prefix(std::min(line_.size() + 1, rest_.size()));
+  return true;
 }
 
 bool TextLines::next() {
   do {
-    if (!std::getline(in_, buffer_)) {
-      if (in_.bad()) {
-        throw FileError(FileUse::reading, source_, EIO);
-      }
-      return false;
-    }
-    line_ = buffer_;
+    if (!take_line()) return false;
     if (++number_ == 1 && line_.starts_with("\xef\xbb\xbf")) line_.remove_prefix(3);
     line_ = trimmed(line_);
     if (line_.find('\r') != line_.npos) refuse(lone_return());

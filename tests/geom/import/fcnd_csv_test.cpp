@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "geom/base/error.h"
@@ -39,6 +40,56 @@ TEST(FcndCsv, ReadsEveryHeaderVariant) {
     if (head.find("37.5") != std::string::npos) {
       ASSERT_TRUE(t.origin) << head;
       EXPECT_EQ(t.origin->longitude, -122.25);
+    }
+  }
+}
+
+// Long enough for many blocks of lines.
+std::string long_table(std::size_t rows) {
+  std::string text = "lat0 37.5, lon0 -122.25\n" + kHeader;
+  for (std::size_t i = 0; i < rows; ++i) {
+    text += i % 7 == 0   ? std::to_string(i) + " , 2 ,3.5, 1,1 ,0\n"
+            : i % 7 == 1 ? "\n-0.1;" + std::to_string(i) + ";+3e1;.5;1;1.000000000000000001\r\n"
+                         : std::to_string(i) + ".25,-20776.993,2.6355,4.2575,11.007,2.6355\n";
+  }
+  return text;
+}
+
+FcndTable fcnd(const std::string& text, unsigned threads) {
+  std::istringstream in(text);
+  return read_fcnd_csv(in, "t.csv", {threads, {}}, text.size());
+}
+
+TEST(FcndCsv, IsTheSameForAnyNumberOfThreads) {
+  const std::string text = long_table(60000);
+  const FcndTable one = fcnd(text, 1);
+  ASSERT_EQ(one.table.boxes.size(), 60000u);
+  EXPECT_EQ(one.table.boxes[1].max.z(), 31);  // of the rows with semicolons
+  EXPECT_EQ(one.table.ids[0], 3u);
+  EXPECT_EQ(one.table.ids.back(), 2u + 60000 + (60000 + 5) / 7);  // and the blank lines
+  EXPECT_EQ(one.flat, (60000u + 6) / 7);
+  for (const unsigned threads : {2u, 7u}) {
+    const FcndTable other = fcnd(text, threads);
+    EXPECT_TRUE(other.table.boxes == one.table.boxes);
+    EXPECT_EQ(other.table.ids, one.table.ids);
+    EXPECT_EQ(other.table.label, one.table.label);
+    EXPECT_EQ(other.flat, one.flat);
+    EXPECT_EQ(other.largest_change, one.largest_change);
+  }
+}
+
+TEST(FcndCsv, RefusesTheFirstBadLineForAnyNumberOfThreads) {
+  const std::string good = long_table(30000);
+  const auto lines = static_cast<std::size_t>(std::count(good.begin(), good.end(), '\n'));
+  const std::string text =
+      good + "1,2,3,1,-1,3\n" + good.substr(good.find('\n', 200) + 1) + "west\n";
+  for (const unsigned threads : {1u, 2u, 7u}) {
+    try {
+      fcnd(text, threads);
+      ADD_FAILURE() << "accepted";
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.line(), lines + 1);
+      EXPECT_EQ(error.fault().key, "half size y");
     }
   }
 }
@@ -86,12 +137,13 @@ TEST(FcndCsv, KeepsFlatBoxesAndCountsThem) {
 
 TEST(FcndCsv, ColumnsThatTurnBoxesAndFieldsWithoutOneAreSkipped) {
   const std::string header = "posX,posY,posZ,halfSizeX,halfSizeY,halfSizeZ";
-  EXPECT_EQ(support::built_and_skipped(read_fcnd_csv, header + ",label\n1,1,1,1,1,1,hut\n").second,
-            0u);
-  EXPECT_EQ(support::built_and_skipped(read_fcnd_csv, header + ",Yaw\n1,1,1,1,1,1,0.5\n").second,
-            1u);
-  EXPECT_EQ(support::built_and_skipped(read_fcnd_csv, "1,5,1,5,1,5,2,5\n").second, 2u);
-  EXPECT_EQ(support::built_and_skipped(read_fcnd_csv, "1,5,1,5,1,5,,\n").second, 0u);
+  const auto read = [](std::istream& in, std::string_view source) {
+    return read_fcnd_csv(in, source);
+  };
+  EXPECT_EQ(support::built_and_skipped(read, header + ",label\n1,1,1,1,1,1,hut\n").second, 0u);
+  EXPECT_EQ(support::built_and_skipped(read, header + ",Yaw\n1,1,1,1,1,1,0.5\n").second, 1u);
+  EXPECT_EQ(support::built_and_skipped(read, "1,5,1,5,1,5,2,5\n").second, 2u);
+  EXPECT_EQ(support::built_and_skipped(read, "1,5,1,5,1,5,,\n").second, 0u);
 }
 
 TEST(FcndCsv, ComesBackFromWhatWasWritten) {

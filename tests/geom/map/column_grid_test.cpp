@@ -70,6 +70,44 @@ TEST(ColumnGrid, DoesNotDependOnTheOrderOfThePoints) {
   EXPECT_EQ(one.label, other.label);
 }
 
+TEST(ColumnGrid, IsTheSameOfManyPointsAtOnceForAnyNumberOfThreads) {
+  for (const double reach : {0.0, 1.5}) {
+    for (const double offset : {0.0, -5.4e6}) {
+      auto points = scan(2, 40000, {offset, -offset, 0});
+      const ColumnSpec spec{0.5, 0.25, 1, true};
+      ColumnGrid one(spec);
+      for (const Vec3& p : points) one.add(p, reach);
+      const BoxTable expected = one.boxes("test");
+      for (const unsigned threads : {1u, 2u, 7u}) {
+        ColumnGrid grid(spec);
+        grid.add(std::span(points).first(25000), reach, {threads, {}});
+        grid.add(std::span(points).subspan(25000), reach, {threads, {}});
+        EXPECT_EQ(grid.spans(), one.spans());
+        EXPECT_EQ(grid.cells(), one.cells());
+        const BoxTable table = grid.boxes("test", {threads, {}});
+        EXPECT_TRUE(table.boxes == expected.boxes);
+        EXPECT_EQ(table.label, expected.label);
+        EXPECT_EQ(table.ids, expected.ids);
+      }
+    }
+  }
+}
+
+TEST(ColumnGrid, RefusesTheFirstPointThatIsTooFarForAnyNumberOfThreads) {
+  std::vector<Vec3> points(40000, Vec3(1, 1, 1));
+  points[30000] = {3e9, 0, 0};
+  points[39000] = {4e9, 0, 0};
+  for (const unsigned threads : {1u, 7u}) {
+    ColumnGrid grid({1, 0.5, 2, false});
+    try {
+      grid.add(points, 0, {threads, {}});
+      ADD_FAILURE() << "accepted";
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.fault().found, "3000000000");
+    }
+  }
+}
+
 TEST(ColumnGrid, IsMadeOfTheSpansOfOthers) {
   // Every second point in another grid: their columns lie in each other.
   for (const ColumnSpec& spec : {ColumnSpec{1, 0.5, 2, true}, ColumnSpec{8, 0.3, 0, false}}) {

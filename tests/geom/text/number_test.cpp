@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <random>
 #include <string>
+#include <string_view>
 
 #include "geom/text/text_table.h"
 
@@ -39,6 +43,27 @@ TEST(ParseNumber, KeepsDenormalsAndTheLargest) {
   EXPECT_EQ(geom::parse_number("5e-324"), std::numeric_limits<double>::denorm_min());
   EXPECT_EQ(geom::parse_number("1.7976931348623157e308"), std::numeric_limits<double>::max());
   EXPECT_TRUE(std::isinf(geom::parse_number("-inf").value()));
+}
+
+// Digits, points, signs and exponents in any order, mostly numbers; and what follows them.
+TEST(ReadNumber, GivesWhatFromCharsGives) {
+  std::mt19937_64 random(4);
+  const std::string_view kinds[] = {"0123456789", "0123456789.", "0123456789.-",
+                                    "0123456789.e+-x,"};
+  for (int i = 0; i < 400000; ++i) {
+    const std::string_view letters = kinds[random() % 4];
+    std::string text(random() % 3 ? "" : "-");
+    for (std::size_t n = random() % 22; n > 0; --n) text += letters[random() % letters.size()];
+    double expected = 1;
+    double value = 1;
+    const char* const end = text.data() + text.size();
+    const auto standard = std::from_chars(text.data(), end, expected);
+    if (standard.ec == std::errc::result_out_of_range) continue;
+    const auto read = geom::read_number(text.data(), end, value);
+    ASSERT_EQ(read.ec, standard.ec) << text;
+    ASSERT_EQ(read.ptr, standard.ptr) << text;
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(value), std::bit_cast<std::uint64_t>(expected)) << text;
+  }
 }
 
 TEST(ReadNumber, LeavesWhatFollows) {

@@ -21,6 +21,23 @@ TEST(TextLines, AreNumberedFromOneAndTrimmed) {
   EXPECT_EQ(found, (Fields{"1a", "2", "3b, c", "4last"}));
 }
 
+TEST(TextLines, OfATextInMemoryAreThoseOfAStream) {
+  for (const char* text : {"", "a", "a\n", "\n\n", " a \r\n\n\tb, c \r\nlast", "#1\nb"}) {
+    std::istringstream in(text);
+    TextLines expected(in, "t.csv", true);
+    TextLines lines(text, 5, "t.csv");
+    while (expected.next()) {
+      ASSERT_TRUE(lines.next()) << text;
+      EXPECT_EQ(lines.line(), expected.line());
+      EXPECT_EQ(lines.number(), 5 + expected.number());
+    }
+    EXPECT_FALSE(lines.next()) << text;
+  }
+  TextLines lines("b\nc\rd\n", 5, "t.csv");
+  lines.next();
+  EXPECT_EQ(support::refusal_of([&] { lines.next(); }), "t.csv:7: " + sentence(lone_return()));
+}
+
 TEST(TextLines, PassOverCommentsBeforeTheFirstLine) {
   std::istringstream in("# made by hand\n\n # twice\na\n#1\n");
   TextLines lines(in, "t.csv");

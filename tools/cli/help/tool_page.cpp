@@ -45,7 +45,7 @@ constexpr Page kPages[] = {
      "--slack --floor --ceiling --bounds --threads"},
     {"skyway-import", "skyway-import data/downtown.csv -o downtown.boxmap",
      "--format --units --frame --allow-skipped --model-path --output --seal --floor --ceiling "
-     "--pad --bounds"},
+     "--pad --bounds --threads"},
     {"skyway-import-flight", "skyway-import-flight data/samples/hop.ulg -o flight.csv", ""},
     {"skyway-import-trajectory",
      "skyway-import-trajectory data/samples/mission.plan --origin 37,-122,0 --ground 0 --vehicle "

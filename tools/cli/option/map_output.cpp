@@ -81,7 +81,8 @@ void write_map(const Common& common, const std::string& output, const geom::Made
 void write_map(const Common& common, const std::string& output, geom::MapDraft draft) {
   const std::string source = draft.source;
   nlohmann::ordered_json stats = to_json(draft.facts);
-  write_map(common, output, geom::make_map(std::move(draft)), source, std::move(stats));
+  write_map(common, output, geom::make_map(std::move(draft), {common.execution("").threads, {}}),
+            source, std::move(stats));
 }
 
 }  // namespace cli

@@ -5,6 +5,7 @@
 // No example: import_boxes.h shows how the rows are used.
 
 #include <cstddef>
+#include <cstdint>
 #include <iosfwd>
 #include <optional>
 #include <set>
@@ -12,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geom/base/execution.h"
 #include "geom/base/format.h"
 #include "geom/base/skipped.h"
 #include "geom/import/sdf_world.h"
@@ -23,6 +25,8 @@ namespace geom {
 struct ImportOptions {
   bool unknown_blocked = false;  // cells of an OctoMap or a jps3d map never seen become boxes
   SdfOptions sdf;
+  Execution run = {};       // FCND tables are parsed on all threads
+  std::uint64_t bytes = 0;  // of the file, where that is known: memory is taken once
 };
 
 struct ImportedBoxes {

@@ -9,10 +9,12 @@
 //   geom::HashedStream file(in);
 //   const geom::MadeMap made = geom::make_map(geom::draft_boxes(file, "city.txt", options));
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "geom/base/execution.h"
 #include "geom/base/hashed_stream.h"
 #include "geom/base/notes.h"
 #include "geom/base/open_file.h"
@@ -36,6 +38,7 @@ struct BoxDraftOptions {
 
   bool allow_skipped = false;  // leave out possible obstacles that cannot be built
   MakeMapOptions map;
+  std::uint64_t bytes = 0;    // of the file, where that is known: memory is taken once
   OpenFile open = open_file;  // of files that a world names
 };
 
@@ -44,10 +47,11 @@ struct BoxDraftOptions {
 // file with bounds of its own; FileError where a file cannot be opened. `source` is for
 // messages, and what the paths in a world are relative to.
 MapDraft draft_boxes(HashedStream& file, const std::string& source,
-                     const BoxDraftOptions& options = {}, const Notes& notes = {});
+                     const BoxDraftOptions& options = {}, const Notes& notes = {},
+                     const Execution& run = {});
 
 // The same of the file at `path`.
 MapDraft draft_boxes(const std::string& path, const BoxDraftOptions& options = {},
-                     const Notes& notes = {});
+                     const Notes& notes = {}, const Execution& run = {});
 
 }  // namespace geom

@@ -8,10 +8,12 @@
 //   const geom::FcndTable city = geom::read_fcnd_csv(in, "colliders.csv");
 //   assert(city.table.boxes[0] == (geom::Aabb{{5, 15, 0}, {15, 25, 10}}));
 
+#include <cstdint>
 #include <iosfwd>
 #include <optional>
 #include <string_view>
 
+#include "geom/base/execution.h"
 #include "geom/base/skipped.h"
 #include "geom/map/box_map.h"
 
@@ -33,7 +35,10 @@ struct FcndTable {
 // Throws InputError(source, line, …) for a missing column, a field that is not a finite number, a
 // negative half size, a box with three zero half sizes (likely a latitude and longitude read as a
 // box), and a table without boxes.
-FcndTable read_fcnd_csv(std::istream& in, std::string_view source);
+// Lines are parsed on all threads; the error is that of the first bad line. `bytes`: how long the
+// rest of the stream is, where that is known; then the table does not grow step by step.
+FcndTable read_fcnd_csv(std::istream& in, std::string_view source, const Execution& run = {},
+                        std::uint64_t bytes = 0);
 
 struct CenteredBox {
   Vec3 center;

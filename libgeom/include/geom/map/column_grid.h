@@ -11,8 +11,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
+#include <string_view>
 #include <vector>
 
+#include "geom/base/execution.h"
 #include "geom/map/box_map.h"
 
 namespace geom {
@@ -36,6 +39,9 @@ class ColumnGrid {
   // Adds the point, and with a reach (metres, >= 0) all that is so near to it along each axis.
   void add(const Vec3& p, double reach = 0);
 
+  // The same of many points, on all threads. Faster than one by one, also on one thread.
+  void add(std::span<const Vec3> points, double reach = 0, const Execution& run = {});
+
   // The spans that stand in the columns, as rows of four: cell along x, cell along y, lowest step,
   // highest step. add_span() adds one of them, of this or another grid of the same spec: a grid
   // with the spans of several grids is the grid of all their points.
@@ -47,7 +53,7 @@ class ColumnGrid {
   // that to the highest in cells without returns, within the rectangle around all cells. Throws
   // InputError(source, …) where that rectangle has more than 2e8 cells. The same for any order of
   // the points. Empty without points.
-  BoxTable boxes(std::string_view source) const;
+  BoxTable boxes(std::string_view source, const Execution& run = {}) const;
 
   std::size_t cells() const;  // with returns
 

@@ -46,6 +46,6 @@ struct MadeMap {
 // finite, when scale or growth take a box beyond kLargestCoordinate, and when all boxes are more
 // than 200 km from an origin on Earth that they should count from.
 MadeMap make_map(BoxTable table, Frame frame, std::string history, std::string_view source,
-                 const MakeMapOptions& options);
+                 const MakeMapOptions& options, const Execution& run = {});
 
 }  // namespace geom

@@ -32,7 +32,7 @@ struct MapDraft {
 };
 
 // Throws InputError as the other make_map() does, and where there is no box.
-MadeMap make_map(MapDraft draft);
+MadeMap make_map(MapDraft draft, const Execution& run = {});
 
 // How many obstacles the steps of a map's history left out.
 std::size_t skipped_in(const BoxMapSpec& spec);

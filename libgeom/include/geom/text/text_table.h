@@ -27,7 +27,12 @@ namespace geom {
 class TextLines {
  public:
   TextLines(std::istream& in, std::string_view source, bool comments_too = false)
-      : in_(in), source_(source), begun_(comments_too) {}
+      : in_(&in), source_(source), begun_(comments_too) {}
+
+  // Lines of a source that are in memory, where they must stay; `before` lines of it stand before
+  // them. Comments are lines.
+  TextLines(std::string_view text, std::size_t before, std::string_view source)
+      : rest_(text), source_(source), number_(before), begun_(true) {}
 
   // False at the end. Throws std::system_error if reading fails, and InputError for a carriage
   // return within a line: what another program takes for two lines must not become one.
@@ -38,7 +43,10 @@ class TextLines {
   [[noreturn]] void refuse(Fault fault) const;
 
  private:
-  std::istream& in_;
+  bool take_line();
+
+  std::istream* in_ = nullptr;  // or
+  std::string_view rest_;       // of the text in memory
   std::string source_;
   std::string buffer_;
   std::string_view line_;

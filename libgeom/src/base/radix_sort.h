@@ -1,0 +1,23 @@
+#pragma once
+
+// Millions of whole numbers sorted by counting, without comparing any two.
+
+#include <cstddef>
+#include <cstdint>
+
+#include "geom/base/execution.h"
+#include "large_array.h"
+
+namespace geom {
+
+struct Keyed {
+  std::uint64_t key;
+  std::uint64_t item;  // what the key is of
+};
+
+// By key, and items of one key in the order that they had. No key is above `largest`. Takes time
+// and memory in proportion to the number of items, for each 11 bits of the largest key.
+LargeArray<Keyed> radix_sorted(LargeArray<Keyed> items, std::uint64_t largest,
+                               const Execution& run);
+
+}  // namespace geom

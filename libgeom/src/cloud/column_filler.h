@@ -1,0 +1,53 @@
+#pragma once
+
+// Columns of the points of a stream, which all threads fill while the stream is read on.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/beside.h"
+#include "geom/base/shard.h"
+#include "geom/cloud/draft_cloud.h"
+#include "geom/cloud/ground_filter.h"
+#include "geom/map/column_grid.h"
+
+namespace geom {
+
+class ColumnFiller {
+ public:
+  // Takes the points of the shard that are no ground; `ground` may be null. All must outlive it.
+  ColumnFiller(const CloudDraftOptions& options, const Shard& shard, const GroundFilter* ground,
+               const Execution& run);
+
+  // What a point is refused for may be thrown by a later call.
+  void add(std::span<const CloudPoint> points);
+  void finish();
+
+  std::size_t kept() const { return kept_; }        // of all points, once finished
+  std::size_t dropped() const { return dropped_; }  // as ground
+  ColumnGrid take_columns() { return std::move(columns_); }
+
+ private:
+  struct Batch {
+    std::vector<Vec3> places;
+    std::vector<std::uint8_t> classes;
+  };
+
+  void hand_over();
+  void drop(Batch& batch);
+
+  const CloudDraftOptions& options_;
+  Shard shard_;
+  const GroundFilter* ground_;
+  Execution run_;
+  ColumnGrid columns_;
+  std::size_t kept_ = 0;
+  std::size_t dropped_ = 0;
+  Batch next_;     // comes in
+  Batch current_;  // goes into the columns
+  Beside beside_;  // last: it ends before what it works on
+};
+
+}  // namespace geom
