@@ -19,7 +19,7 @@ for threads in 1 2 7; do
   skyway-replan map paths.$threads --margin 1 --threads $threads -o replanned.$threads || [ $? -eq 1 ]
   skyway-traj map paths.$threads --vmax 8 --amax 6 --solver stop-and-go -o trajectories.$threads || [ $? -eq 1 ]
   skyway-render -q map trajectories.$threads --rate 0.2 --shadows --threads $threads -o video.$threads.y4m
-  skyway-check map trajectories.$threads -o reports.$threads || [ $? -eq 1 ]
+  skyway-check map trajectories.$threads --threads $threads -o reports.$threads || [ $? -eq 1 ]
   skyway-fleet trajectories.$threads --separation 12,4 --parked gone --improve 5 --threads $threads -q -o fleet.$threads \
     --report-file delays.$threads || [ $? -eq 1 ]
   skyway-fly trajectories.$threads --vehicle "$vehicle" --wind 3,1,0 --gusts 3 --noise 0.01,0.05,0.5,1 --mass-error 0.1 \

@@ -46,15 +46,18 @@ bool same_scene(const geom::PathRecord& a, const geom::PathRecord& b) {
          a.provenance.margin == b.provenance.margin;
 }
 
-// Where the paths from `begin` on end that ask for the scene of the first.
-std::size_t end_of_run(const std::vector<Line>& paths, std::size_t begin) {
-  const geom::PathRecord& first = paths[begin].record;
-  const auto other = [&](const Line& path) {
-    return !found(path.record) || !same_scene(first, path.record);
-  };
-  const auto end =
-      std::find_if(paths.begin() + static_cast<std::ptrdiff_t>(begin), paths.end(), other);
-  return static_cast<std::size_t>(end - paths.begin());
+// The paths that were found, by what scene they ask for; both in the order of the stream.
+std::vector<std::vector<std::size_t>> by_scene(const std::vector<Line>& paths) {
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    if (!found(paths[i].record)) continue;
+    auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& known) {
+      return same_scene(paths[known.front()].record, paths[i].record);
+    });
+    if (group == groups.end()) group = groups.emplace(group);
+    group->push_back(i);
+  }
+  return groups;
 }
 
 // A record for each path, in order.
@@ -63,20 +66,18 @@ std::vector<geom::PathRecord> replan_each(const Paths& paths, cli::Scenes& scene
                                           const geom::Execution& run) {
   const std::vector<Line>& lines = paths.lines;
   std::vector<geom::PathRecord> records(lines.size());
-  for (std::size_t begin = 0, end = 0; begin < lines.size(); begin = end) {
-    if (!found(lines[begin].record)) {
-      records[begin] = plan::passed_on(lines[begin].record);
-      end = begin + 1;
-      continue;
-    }
-    end = end_of_run(lines, begin);
-    geom::Provenance asked = lines[begin].record.provenance;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (!found(lines[i].record)) records[i] = plan::passed_on(lines[i].record);
+  }
+  for (const std::vector<std::size_t>& group : by_scene(lines)) {
+    const Line& first = lines[group.front()];
+    geom::Provenance asked = first.record.provenance;
     asked.map.reset();  // another one, as a rule
-    const geom::CollisionScene& scene = scenes.scene_for(asked, paths.source, lines[begin].number);
+    const geom::CollisionScene& scene = scenes.scene_for(asked, paths.source, first.number);
     artefacts.require_made_for(scene);
     plan::Planner planner(scene, artefacts.lattice(), artefacts.roadmap());
-    geom::parallel_for(end - begin, run, [&](std::size_t i) {
-      records[begin + i] = plan::replanned(scene, planner, lines[begin + i].record, quality);
+    geom::parallel_for(group.size(), run, [&](std::size_t k) {
+      records[group[k]] = plan::replanned(scene, planner, lines[group[k]].record, quality);
     });
   }
   return records;

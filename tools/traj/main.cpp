@@ -1,6 +1,8 @@
 // skyway-traj: minimum-snap trajectories along paths, each proved before it is written.
 
 #include <algorithm>
+#include <atomic>
+#include <filesystem>
 #include <map>
 #include <optional>
 
@@ -13,30 +15,48 @@
 #include "cli/run.h"
 #include "cli/shard/record_output.h"
 #include "geom/base/processes.h"
+#include "geom/text/record_lines.h"
 #include "options.h"
 #include "traj/record/verdict.h"
 
 namespace {
 
-struct Line {
-  std::string text;
-  std::size_t number = 0;
+// What a shard takes of the paths: read one by one, while those before are solved.
+class Share {
+ public:
+  Share(cli::InputFile& file, geom::Shard shard)
+      : source_(file.name()), lines_(file.stream(), file.name()), shard_(shard) {}
+
+  // "17 {...}": the number of the line, and the path.
+  std::optional<std::string> next() {
+    while (const auto line = lines_.next()) {
+      if (!shard_.takes(total_++)) continue;
+      ++taken_;
+      return std::to_string(line->number) + ' ' + line->text;
+    }
+    return std::nullopt;
+  }
+
+  const std::string& source() const { return source_; }
+  std::size_t total() const { return total_; }  // of all shards, once all is read
+  std::size_t taken() const { return taken_; }  // so far, by this one
+
+ private:
+  std::string source_;
+  geom::RecordLines lines_;
+  geom::Shard shard_;
+  std::size_t total_ = 0;
+  std::atomic<std::size_t> taken_ = 0;
 };
 
-// What a shard takes of the paths.
-struct Share {
-  std::string source;
-  std::vector<Line> lines;
-  std::size_t total = 0;  // of all shards
-};
-
-Share read_share(const std::string& path, const geom::Shard& shard) {
-  cli::InputFile file(path);
-  Share share{file.name(), {}, 0};
-  file.for_each_line([&](const std::string& line, std::size_t number) {
-    if (shard.takes(share.total++)) share.lines.push_back({line, number});
-  });
-  return share;
+// How many paths a shard will take of a file; of a pipe, that is known at its end only: 0.
+std::size_t count_of(const std::string& path, const geom::Shard& shard) {
+  if (path == "-" || !std::filesystem::is_regular_file(path)) return 0;
+  std::size_t total = 0;
+  std::size_t taken = 0;
+  cli::InputFile(path).for_each_line(
+      [&](const std::string&, std::size_t) { taken += shard.takes(total++); });
+  return taken;
 }
 
 struct Outputs {
@@ -84,23 +104,33 @@ void add(const solving::Answer& answer, const std::string& source, Tally& tally)
   tally.batch.add_failed(answer.found, record.id + ": " + traj::in_words(record));
 }
 
-// A process an optimisation: MUMPS is not thread safe.
-Tally solve_each(const Share& share, const solving::Options& options, cli::Scenes& scenes,
-                 const geom::Execution& run, Outputs& out) {
-  const auto work = [&](std::size_t i) {
-    const auto& [line, number] = share.lines[i];
-    const geom::PathRecord path = geom::parse_path_record(line, share.source, number);
-    return solving::to_text(answer_to(path, share.source, number, options, scenes),
+// A process an optimisation: MUMPS is not thread safe. `expected`: how many there are, 0 where that
+// is not known.
+Tally solve_each(Share& share, std::size_t expected, const solving::Options& options,
+                 cli::Scenes& scenes, const geom::Execution& run, Outputs& out) {
+  const auto work = [&](const std::string& text) {
+    const std::size_t blank = text.find(' ');
+    const std::size_t number = std::stoul(text.substr(0, blank));
+    const geom::PathRecord path =
+        geom::parse_path_record(std::string_view(text).substr(blank + 1), share.source(), number);
+    return solving::to_text(answer_to(path, share.source(), number, options, scenes),
                             out.corridors.has_value());
   };
   Tally tally;
-  const auto take = [&](std::size_t i, const std::string& text) {
+  std::size_t done = 0;
+  const auto tell = [&](std::size_t at_least) {
+    if (run.progress) run.progress(done, std::max({expected, share.taken(), at_least}));
+  };
+  const auto take = [&](const std::string& text) {
     const solving::Answer answer = solving::parse_answer(text);
-    add(answer, share.source, tally);
-    if (run.progress) run.progress(i + 1, share.lines.size());
+    add(answer, share.source(), tally);
+    ++done;
+    if (expected != done) tell(done + 1);
     out.add(answer);
   };
-  geom::in_processes(share.lines.size(), run.threads, work, take);
+  geom::in_processes(
+      run.threads, [&] { return share.next(); }, work, take);
+  tell(done);
   return tally;
 }
 
@@ -131,17 +161,19 @@ int main(int argc, char** argv) {
     cli::Scenes scenes(cli::open_map(map_file, geom::Verified::extents, common.execution("verify")),
                        vehicle, geom::Differences::refused);
     if (scenes.profile()) options.task(scenes.profile()->vehicle);  // refuses before it reads
-    const Share share = read_share(input, sharding.shard());
+    cli::InputFile file(input);
+    Share share(file, sharding.shard());
     Outputs out{{output, "output", sharding}, std::nullopt};
     if (!options.corridor_file.empty()) {
       out.corridors.emplace(options.corridor_file, "corridor-file", sharding);
     }
-    const auto [counts, batch] =
-        solve_each(share, options, scenes, common.execution("trajectories"), out);
+    const geom::Execution run = common.execution("trajectories");
+    const auto [counts, batch] = solve_each(
+        share, run.progress ? count_of(input, sharding.shard()) : 0, options, scenes, run, out);
     const bool no = std::any_of(counts.begin(), counts.end(),
                                 [](const auto& count) { return is_failure(count.first); });
     const cli::Exit exit = no ? cli::Exit::no : cli::Exit::yes;
-    out.commit(share.total, exit);
+    out.commit(share.total(), exit);
     batch.tell(common, "skyway-traj", "paths have no trajectory");
     common.write_stats({{"records", counts}});
     return exit;

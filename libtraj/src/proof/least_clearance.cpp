@@ -130,7 +130,19 @@ class Search {
     return {box.min - half, box.max + half};
   }
 
+  // Whether surely no obstacle is nearer to the curve than the best: asked first, as the search for
+  // the nearest one builds the trees around it, however far that is. Legs cross more of the map
+  // than their hull tells.
+  bool surely_further(const Leg&) const { return false; }
+  bool surely_further(const Piece& piece) const {
+    if (best_.value == kInfinity) return false;
+    const geom::Aabb hull = hull_box(piece);
+    const Vec3 pad = Vec3::Constant(std::max(0.0, best_.value) + beside(piece) + kRounding);
+    return scene_.boxes_meeting({hull.min - pad, hull.max + pad}, 0).has_value();
+  }
+
   void add(const Part& part) {
+    if (surely_further(part)) return;
     const Vec3 middle = middle_of(part);
     const double reach = radius_around(part, middle) + beside(part);
     const auto near = scene_.nearest(middle, reach + enough());

@@ -30,6 +30,7 @@ namespace {
 constexpr double kNearlyAsFast = 1.1;
 constexpr double kReach = 10;   // metres: obstacles further off get a plane only when met
 constexpr double kShort = 0.1;  // metres: shorter legs are left to the optimiser only where needed
+constexpr double kLeg = 0.5;    // metres: shorter ones are left out where a cruise did not settle
 constexpr double kUsual = 20;   // metres: on shorter paths in proportion
 constexpr int kRounds = 5;
 constexpr double kNoEnd = std::numeric_limits<double>::infinity();
@@ -77,17 +78,52 @@ void accept(const Trajectory& trajectory, Rung rung, SolveResult& result) {
   result.snap = snap_cost(trajectory);
 }
 
+Corridor corridor_along(CorridorKind kind, const geom::CollisionScene& scene,
+                        const geom::Polyline& path) {
+  if (kind == CorridorKind::boxes) return box_corridor(scene, path, kReach);
+  Corridor corridor = pieces_between(joints(path));
+  add_planes(scene, kReach, corridor);
+  return corridor;
+}
+
+// A path as the optimiser gets it, and what to do where a part beside a cruise does not settle.
+class Way {
+ public:
+  Way(CorridorKind kind, const geom::CollisionScene& scene, const geom::Polyline& given)
+      : kind_(kind),
+        scene_(scene),
+        share_(std::min(1.0, geom::length(given) / kUsual)),
+        path_(without_short_legs(scene, given, kShort * share_)) {}
+
+  Corridor corridor() const { return corridor_along(kind_, scene_, path_); }
+
+  // Along the path without legs of decimetres, at which the optimiser makes ever smaller steps.
+  // Empty where there are none.
+  Corridor of_longer_legs() const {
+    const geom::Polyline path = without_short_legs(scene_, path_, kLeg * share_);
+    return path == path_ ? Corridor() : corridor_along(kind_, scene_, path);
+  }
+
+ private:
+  CorridorKind kind_;
+  const geom::CollisionScene& scene_;
+  double share_;  // of lengths that are usual in a city
+  geom::Polyline path_;
+};
+
 // Optimises until the result is proved, adding planes for what it ran into. The start is the same
 // each round: from the last result it would stay beside the obstacle it had just hit. Where Ipopt
 // may follow, the other optimiser gives up as soon as it does not settle.
-std::optional<Trajectory> optimised_in(Corridor corridor, Optimizer optimizer,
+std::optional<Trajectory> optimised_in(const Way& way, Optimizer optimizer,
                                        const geom::CollisionScene& scene,
                                        const SolveOptions& options, SolveResult& result) {
+  Corridor corridor = way.corridor();
   if (corridor.empty()) return std::nullopt;
   const int most = result.rounds + kRounds;
+  std::optional<Corridor> first;  // where its cruises did not settle, once others were tried
   // What cruises stays on the path and hands on its speed: where that is not proved, or a part
-  // beside it does not settle, the optimiser takes all of it.
-  for (bool cruise = true;; cruise = false) {
+  // beside it does not settle, the optimiser takes all of it, which takes many times as long.
+  for (bool cruise = true;;) {
     ++result.rounds;
     result.corridor = corridor;
     const OptimizeResult round = optimize(
@@ -96,7 +132,13 @@ std::optional<Trajectory> optimised_in(Corridor corridor, Optimizer optimizer,
     result.iterations += round.iterations;
     result.objective = round.objective;
     result.max_violation = round.max_violation;
-    if (round.cruises && !round.settled) continue;
+    if (round.cruises && !round.settled) {
+      Corridor longer = first ? Corridor() : way.of_longer_legs();
+      cruise = !longer.empty();
+      if (cruise) first = std::exchange(corridor, std::move(longer));
+      if (!cruise && first) corridor = *first;
+      continue;
+    }
     const bool ipopt_follows =
         options.solver == Solver::automatic && optimizer == Optimizer::banded;
     if (ipopt_follows && !round.settled) return std::nullopt;
@@ -105,17 +147,8 @@ std::optional<Trajectory> optimised_in(Corridor corridor, Optimizer optimizer,
     if (proved(scene, curve, options.limits, result)) return curve;
     if (result.rounds == most) return std::nullopt;
     if (add_planes_met(scene, curve, corridor) == 0 && !round.cruises) return std::nullopt;
+    cruise = false;
   }
-}
-
-Corridor corridor_of(CorridorKind kind, const geom::CollisionScene& scene,
-                     const geom::Polyline& given) {
-  const double least = kShort * std::min(1.0, geom::length(given) / kUsual);
-  const geom::Polyline path = without_short_legs(scene, given, least);
-  if (kind == CorridorKind::boxes) return box_corridor(scene, path, kReach);
-  Corridor corridor = pieces_between(joints(path));
-  add_planes(scene, kReach, corridor);
-  return corridor;
 }
 
 std::vector<Optimizer> optimizers(Solver solver) {
@@ -140,8 +173,7 @@ bool optimised(const geom::CollisionScene& scene, const geom::Polyline& path,
   const auto other = boxes ? CorridorKind::planes : CorridorKind::boxes;
   for (const Optimizer optimizer : optimizers(options.solver)) {
     for (const CorridorKind kind : {options.corridor, other}) {
-      const auto curve =
-          optimised_in(corridor_of(kind, scene, path), optimizer, scene, options, result);
+      const auto curve = optimised_in(Way(kind, scene, path), optimizer, scene, options, result);
       if (!curve || duration(*curve) > most) continue;
       accept(*curve, optimizer == Optimizer::banded ? Rung::banded : Rung::ipopt, result);
       return true;

@@ -1,5 +1,6 @@
 """fleet_test.py BIN_DIR: a check of many records with many vehicles says the same in any order of the records and for any
-number of threads, stops at the first that is wrong as one thread does, and answers each record as it comes."""
+number of threads, stops at the first that is wrong as one thread does, and answers each record as it comes; skyway-traj
+gives the same for any number of processes, up to the first path that is wrong."""
 
 import json
 import os
@@ -104,14 +105,39 @@ def as_it_comes(fleet):
             process.stdin.close()
 
 
+def trajectories():
+    """Of paths above the city, some of which cannot be flown."""
+    size = lambda i: 0.3 + 0.1 * (i % 5)
+    place = lambda: [random.uniform(-80, 80), random.uniform(-80, 80), random.uniform(202, 225)]
+    paths = [{"type": "path", "id": f"p{i}", "status": "found", "points": [place() for _ in range(random.randrange(2, 6))],
+              "vehicle": {"name": f"box:{i % 5}", "half": [size(i), size(i), 0.2]}, "margin": 0} for i in range(60)]
+    paths[7] = {"type": "path", "id": "p7", "status": "unreachable"}
+    paths[9]["points"][0][2] = 0.1  # below the floor
+    for at in (None, 0, 1, 33, 60):
+        text = lines(paths)
+        if at is not None:
+            text = lines(paths[:at]) + '{"type":\n' + lines(paths[at:]) + "?\n"
+        outputs = set()
+        for threads in THREADS:
+            done = tool("skyway-traj", "city.boxmap", "-", "--vmax", "6", "--amax", "4", "--threads", str(threads), text=text,
+                        codes=(1, 3))
+            outputs.add((done.returncode, done.stdout, done.stderr))
+        assert len(outputs) == 1, (at, outputs)
+        code, written, message = outputs.pop()
+        assert len(written.splitlines()) == (60 if at is None else at)
+        assert at is not None or 40 < written.count('"status":"solved","duration"') < 60, written.count('"status":"solved","duration"')
+        assert (code == 1) == (at is None) and (at is None or f"stdin:{at + 1}:" in message), message
+
+
 def main():
     tool("skyway-synth", "--size", "200", "--seed", "3", "-o", "city.csv")
-    tool("skyway-import", "city.csv", "-o", "city.boxmap", "-q")
+    tool("skyway-import", "city.csv", "--ceiling", "230", "-o", "city.boxmap", "-q")
     fleet = [flight(i, 0.3 + 0.01 * random.randrange(90)) for i in range(300)]
     same_in_any_order(fleet)
     same_bytes(fleet[:60])
     first_error(fleet[:120])
     as_it_comes(fleet)
+    trajectories()
 
 
 with tempfile.TemporaryDirectory() as folder:
