@@ -29,6 +29,18 @@ std::pair<Rectangle, Rectangle> halves(const Rectangle& r) {
   return out;
 }
 
+bool holds(const Rectangle& r, const Vec2& p) {
+  return p.x() >= r.min.x() && p.x() <= r.max.x() && p.y() >= r.min.y() && p.y() <= r.max.y();
+}
+
+// Whether the edge meets the rectangle, rounded outward.
+bool may_meet(const CoverEdge& edge, const Rectangle& r) {
+  if (edge.low.y() > r.max.y() || edge.high.y() < r.min.y()) return false;
+  if (edge.left > r.max.x() + 1e-6 || edge.right < r.min.x() - 1e-6) return false;
+  const Interval x = edge.range(r.min.y(), r.max.y());
+  return outward(x.high, 1) >= r.min.x() && outward(x.low, -1) <= r.max.x();
+}
+
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 // Whether two edges surely come no nearer to each other than the reach.
@@ -180,7 +192,7 @@ bool SlackGauge::settle(const Rectangle& r) {
   const bool inside = is_inside(centre);
   if (inside && radius <= near) return true;
   if (!inside && aside > kSurelyFar * slack_) return false;
-  if (beside_any(r) || (inside && clear_of_edges(r)) || within_bands(r)) return true;
+  if (beside_any(r) || within_halves(r, inside) || within_bands(r)) return true;
   if (size.maxCoeff() < 0.1 * slack_) {
     keep_unclear({r});
     return true;
@@ -212,6 +224,24 @@ bool SlackGauge::beside_any(const Rectangle& r) const {
     }
   }
   return false;
+}
+
+// Whether no edge meets the rectangle, whose middle is inside, or one alone, which cuts it into
+// halves: those outside are surely near the edge if their corners are, since they are convex.
+bool SlackGauge::within_halves(const Rectangle& r, bool middle_inside) {
+  const CoverEdge* cut = nullptr;
+  for (const CoverEdge* edge : near_) {
+    if (!may_meet(*edge, r)) continue;
+    if (cut) return false;
+    cut = edge;
+  }
+  if (!cut) return middle_inside;
+  if (holds(r, cut->low) || holds(r, cut->high)) return false;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec2 p = corner(r, i);
+    if (!cut->is_within(near_squared_, p) && !is_inside(p)) return false;
+  }
+  return true;
 }
 
 // Whether a long rectangle, along which an edge runs, is surely allowed as a band beside the edge,
@@ -351,14 +381,9 @@ bool SlackGauge::is_inside(const Vec2& p) {
   return odd || winding_.inside();
 }
 
-// Whether no edge meets the rectangle, rounded outward.
 bool SlackGauge::clear_of_edges(const Rectangle& r) const {
-  for (const CoverEdge* edge : near_) {
-    if (edge->low.y() > r.max.y() || edge->high.y() < r.min.y()) continue;
-    const Interval x = edge->range(r.min.y(), r.max.y());
-    if (outward(x.high, 1) >= r.min.x() && outward(x.low, -1) <= r.max.x()) return false;
-  }
-  return true;
+  return std::none_of(near_.begin(), near_.end(),
+                      [&](const CoverEdge* edge) { return may_meet(*edge, r); });
 }
 
 }  // namespace geom

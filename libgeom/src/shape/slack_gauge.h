@@ -69,6 +69,7 @@ class SlackGauge {
   bool is_near(double squared_reach, const Vec2& p) const;
   bool beside(const Rectangle& r, const CoverEdge& edge) const;
   bool beside_any(const Rectangle& r) const;
+  bool within_halves(const Rectangle& r, bool middle_inside);
   bool within_bands(const Rectangle& r);
   bool touches_unclear(const Rectangle& r) const;
   void settle_corners(const Rectangle& r);
