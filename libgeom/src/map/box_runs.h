@@ -27,7 +27,8 @@ class BoxRuns {
   void look_up(const Aabb& region, std::size_t level, std::size_t first, std::size_t last,
                std::vector<Aabb>& out) const;
 
-  std::vector<std::vector<Aabb>> levels_{1};  // the boxes, then the bounds of runs of the level before
+  std::vector<std::vector<Aabb>> levels_{
+      1};  // the boxes, then the bounds of runs of the level before
 };
 
 // Whether the box reaches from the region's bottom or lower to its top or higher, and may touch it

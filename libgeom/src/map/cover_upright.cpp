@@ -13,7 +13,7 @@
 namespace geom {
 namespace {
 
-constexpr double kMostParts = 1e6;    // of one stretch between two corners
+constexpr double kMostParts = 1e6;     // of one stretch between two corners
 constexpr double kTopRounding = 1e-9;  // metres: of the height between corners
 
 // Some of the surface, from one place along it to another, and the range of its top.
@@ -131,9 +131,9 @@ class UprightCover {
       if (held[i] != Held::perhaps) {
         while (end < count && held[end] == held[i]) ++end;
       }
-      const bool is_held = held[i] == Held::yes ||
-                           (held[i] == Held::perhaps &&
-                            is_held_(footprint_of(stretch.part(i, end)), near_));
+      const bool is_held =
+          held[i] == Held::yes ||
+          (held[i] == Held::perhaps && is_held_(footprint_of(stretch.part(i, end)), near_));
       is_held ? end_run() : add_to_run(stretch, i, end);
       i = end;
     }

@@ -54,9 +54,7 @@ void merge(std::vector<Interval>& list) {
 class Slabs {
  public:
   Slabs(const Polygon& polygon, double slack)
-      : slack_(slack),
-        gauge_(slack, polygon.holes.size() + 1),
-        winding_(polygon.holes.size() + 1) {
+      : slack_(slack), gauge_(slack, polygon.holes.size() + 1), winding_(polygon.holes.size() + 1) {
     std::size_t corners = polygon.outer.size();
     for (const auto& hole : polygon.holes) corners += hole.size();
     edges_.reserve(corners);
@@ -184,8 +182,8 @@ class Slabs {
     return rectangles_;
   }
 
-  // The highest slab from y0 that is surely valid without a look. Each x of its rectangles is that of
-  // a point of the polygon in the slab, so one no higher than the slack is always right.
+  // The highest slab from y0 that is surely valid without a look. Each x of its rectangles is that
+  // of a point of the polygon in the slab, so one no higher than the slack is always right.
   double surely_valid(double y0) const {
     return std::min(levels_.back(), y0 + slack_ - 4e-9 - 1e-14 * std::abs(y0));
   }
@@ -257,7 +255,8 @@ class Slabs {
     for (std::size_t i = 0, first = 0; i < spans_.size(); ++i) {
       winding_.count(*spans_[i].edge);
       if (i + 1 < spans_.size() && (i % 2 == 0 || winding_.inside())) continue;
-      out.push_back({{outward(spans_[first].x.low, -1), low}, {outward(spans_[i].x.high, 1), high}});
+      out.push_back(
+          {{outward(spans_[first].x.low, -1), low}, {outward(spans_[i].x.high, 1), high}});
       first = i + 1;
     }
     return true;

@@ -7,11 +7,11 @@
 namespace geom {
 namespace {
 
-constexpr double kSurelyFar = 1.0001;   // a share of the slack
-constexpr double kLong = 16;            // times as long as high
+constexpr double kSurelyFar = 1.0001;  // a share of the slack
+constexpr double kLong = 16;           // times as long as high
 constexpr double kTouching = 2e-3;     // of the slack: more than rectangles are rounded outward
-constexpr double kLeaf = 0.02;          // of the slack: the radius of what is not halved any more
-constexpr double kMuch = 4;             // times as long as what is unclear of it
+constexpr double kLeaf = 0.02;         // of the slack: the radius of what is not halved any more
+constexpr double kMuch = 4;            // times as long as what is unclear of it
 constexpr std::size_t kFewParts = 4;
 constexpr std::size_t kManyEdges = 64;  // near a slab: looking at each beside all is no short cut
 
@@ -20,6 +20,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 Vec2 corner(const Rectangle& r, std::size_t which) {
   return {which % 2 != 0 ? r.max.x() : r.min.x(), which >= 2 ? r.max.y() : r.min.y()};
 }
+
+// From the middle of a rectangle of this size to its corners, rounded up.
+double radius_of(const Vec2& size) { return (0.5 * size).norm() * (1 + 1e-12); }
 
 // Across its longer side.
 std::pair<Rectangle, Rectangle> halves(const Rectangle& r) {
@@ -176,15 +179,16 @@ void SlackGauge::add_unclear(const Rectangle& r, const CoverEdge& edge, unsigned
     const Vec2 reach =
         (corner(r, i ^ 3) - p)
             .cwiseProduct(Vec2(excess / (distance[i] - aside), excess / (distance[i] - along)));
-    unclear_.push_back({{p.cwiseMin(p + reach), p.cwiseMax(p + reach)}, &edge, i, (close >> i & 1) != 0});
+    unclear_.push_back(
+        {{p.cwiseMin(p + reach), p.cwiseMax(p + reach)}, &edge, i, (close >> i & 1) != 0});
   }
 }
 
-// False where a point of the rectangle is surely too far; keeps what stays unclear of it. Mostly the
-// distance of its middle tells: no point of it is further from the middle than its radius.
+// False where a point of the rectangle is surely too far; keeps what stays unclear of it. Mostly
+// the distance of its middle tells: no point of it is further from the middle than its radius.
 bool SlackGauge::settle(const Rectangle& r) {
   const Vec2 size = r.max - r.min;
-  const double radius = (0.5 * size).norm() * (1 + 1e-12);
+  const double radius = radius_of(size);
   const double near = kSurelyNear * slack_;
   const Vec2 centre = 0.5 * (r.min + r.max);
   const double aside = to_edge(centre, near - radius);
@@ -290,25 +294,27 @@ bool SlackGauge::allows(const Rectangle& r) {
 
 // Forgets the unclear places at corners of the rectangle that its smallest parts there settle.
 void SlackGauge::settle_corners(const Rectangle& r) {
-  std::erase_if(unclear_, [&](const Unclear& unclear) {
-    return unclear.edge && is_settled(unclear, r);
-  });
+  std::erase_if(unclear_,
+                [&](const Unclear& unclear) { return unclear.edge && is_settled(unclear, r); });
 }
 
-// Whether allows_parts() surely finds all parts of the rectangle that touch the place near enough to
-// its edge, by what it asks of the smallest: the middle within the slack, less the part's radius.
-// Their middles lie in the rectangle between that of the part at the corner and a point behind the
-// place, and to be near an edge is convex.
+// Whether allows_parts() surely finds all parts of the rectangle that touch the place near enough
+// to its edge, by what it asks of the smallest: the middle within the slack, less the part's
+// radius. Their middles lie in the rectangle between that of the part at the corner and a point
+// behind the place, and to be near an edge is convex.
 bool SlackGauge::is_settled(const Unclear& unclear, const Rectangle& r) const {
   const Vec2 p = corner(around(*unclear.edge), unclear.corner);
   const Vec2 rounded = corner(r, unclear.corner);
   if ((rounded - p).cwiseAbs().maxCoeff() > 0.1 * kTouching * slack_) return false;
   Rectangle part = r;
   double radius = kInfinity;
+  const double surely_more = 4.001 * kLeaf * kLeaf * slack_ * slack_;
   while (true) {
     const Vec2 size = part.max - part.min;
-    radius = (0.5 * size).norm() * (1 + 1e-12);
-    if (radius < kLeaf * slack_) break;
+    if (size.squaredNorm() < surely_more) {
+      radius = radius_of(size);
+      if (radius < kLeaf * slack_) break;
+    }
     const int axis = size.x() >= size.y() ? 0 : 1;
     const double middle = 0.5 * (part.min[axis] + part.max[axis]);
     const bool upper = (unclear.corner >> axis & 1) != 0;
@@ -331,7 +337,7 @@ bool SlackGauge::is_settled(const Unclear& unclear, const Rectangle& r) const {
 bool SlackGauge::allows_parts(const Rectangle& r) {
   if (!touches_unclear(r)) return true;
   const Vec2 size = r.max - r.min;
-  const double radius = (0.5 * size).norm() * (1 + 1e-12);
+  const double radius = radius_of(size);
   const bool few = near_.size() <= kManyEdges;
   const bool much = few && size.maxCoeff() < kMuch * unclear_size_;
   // A large one that no edge meets is settled at once, others by their parts.

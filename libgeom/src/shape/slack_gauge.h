@@ -33,8 +33,8 @@ class SlackGauge {
   void reach_to(double y1) { y1_ = y1; }
   std::span<const CoverEdge* const> edges() const { return near_; }
 
-  // Whether the corner that refused the slab surely refuses it wherever it is moved up by as much or
-  // less. Asks the edges that were added, which must be all near any of those slabs.
+  // Whether the corner that refused the slab surely refuses it wherever it is moved up by as much
+  // or less. Asks the edges that were added, which must be all near any of those slabs.
   bool refuses_further(double rise);
 
   // What allows() would say of all rectangles of the slab, where that is no close decision. Their
@@ -88,7 +88,7 @@ class SlackGauge {
   std::vector<const CoverEdge*> near_;
   std::vector<Unclear> unclear_;
   std::vector<Unclear> found_;  // of the slab that is looked at, before some are settled
-  double unclear_size_ = 0;         // the longest side of one of them
+  double unclear_size_ = 0;     // the longest side of one of them
   // The corner that refused the last slab refuses the next most often.
   const CoverEdge* refusing_ = nullptr;
   std::size_t refusing_corner_ = 0;
