@@ -68,14 +68,13 @@ bool is_built(const CollisionScene::Impl& impl, std::size_t g) {
 
 namespace {
 
-// Whether the segment meets a grown box; seen(box) is called for the one that decides.
+// Calls seen(group, k) for grown boxes k of groups that the segment meets, until it returns true;
+// returns whether it did.
 template <class Seen>
 bool find_hit(CollisionScene::Impl& impl, const Vec3& a, const Vec3& b, const Seen& seen) {
   const auto hits_group = [&](const GroupTree& group, const SegmentInTree& s) {
     return any_on_segment(group.nodes(), s, [&](std::size_t k) {
-      if (!segment_hits(a, b, group.grown[k])) return false;
-      seen(group.grown[k]);
-      return true;
+      return segment_hits(a, b, group.grown[k]) && seen(group, k);
     });
   };
   if (impl.groups.size() == 1) {
@@ -95,13 +94,26 @@ bool find_hit(CollisionScene::Impl& impl, const Vec3& a, const Vec3& b, const Se
 }  // namespace
 
 bool hits_any(CollisionScene::Impl& impl, const Vec3& a, const Vec3& b) {
-  return find_hit(impl, a, b, [](const Aabb&) {});
+  return find_hit(impl, a, b, [](const GroupTree&, std::size_t) { return true; });
 }
 
 std::optional<Aabb> blocking_box(CollisionScene::Impl& impl, const Vec3& a, const Vec3& b) {
   std::optional<Aabb> box;
-  find_hit(impl, a, b, [&](const Aabb& grown) { box = grown; });
+  find_hit(impl, a, b, [&](const GroupTree& group, std::size_t k) {
+    box = group.grown[k];
+    return true;
+  });
   return box;
+}
+
+std::vector<std::size_t> blocking_boxes(CollisionScene::Impl& impl, const Vec3& a, const Vec3& b) {
+  std::vector<std::size_t> boxes;
+  find_hit(impl, a, b, [&](const GroupTree& group, std::size_t k) {
+    boxes.push_back(group.first + group.name[k]);
+    return false;
+  });
+  std::sort(boxes.begin(), boxes.end());
+  return boxes;
 }
 
 namespace {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "path/shortcut.h"
 #include "path/taut.h"
+#include "roadmap/bends.h"
 
 namespace plan {
 
@@ -17,7 +19,10 @@ constexpr double kCloseMost = 150;  // metres between ends: beyond, bends are cl
 constexpr std::size_t kPaths = 4;   // compared once pulled taut
 constexpr double kBend = 10;    // metres that bends in the middle of their parts may cost a path
 constexpr double kMiddles = 2;  // and mostly cost at most
-constexpr double kCorridorPart = 10;          // metres
+constexpr double kCorridorPart = 20;          // metres
+constexpr double kBestPart = 10;              // metres: for `best`
+constexpr double kNear = 2e-4;                // of a stretch: less is not sought to be gained
+constexpr std::size_t kMostBoxes = 6000;      // around which bends are made for a stretch
 constexpr double kCorridorReach = 300;        // metres
 constexpr std::size_t kFirstBends = 8000;     // settled before it is known that there is a way
 constexpr std::size_t kFromGoalBends = 4000;  // settled the other way round
@@ -108,36 +113,43 @@ std::optional<Found> BendSteps::exhaustively(const Task& task) { return by_roadm
 
 std::optional<Found> BendSteps::better(const Task& task, const Polyline& than) {
   if (has_roadmap()) return by_roadmap(task, {kCorridorBends}, than);
-  const bool best = task.options.quality == Quality::best;
-  const double width = best ? 2 * kCorridor : kCorridor;
-  RoadmapSearch search(scene_, bends_along(scene_, kCorridorPart, than, width), kCorridorReach);
-  return by_stretches(search, task, than);
+  if (geom::length(than) <= kStretch) return tighter(task.options, than);
+  return by_stretches(task, than);
+}
+
+// All that a path shorter than `length` may bend at, or else, where that is too much, what is near
+// the path that is known.
+std::vector<Bend> BendSteps::bends_for(const Polyline& part, double length, bool best) const {
+  const ShortWays ways{part.front(), part.back(), length};
+  const double piece = best ? kBestPart : kCorridorPart;
+  if (auto bends = bends_within(scene_, piece, ways, kMostBoxes)) return std::move(*bends);
+  return bends_along(scene_, piece, part, best ? 2 * kCorridor : kCorridor);
 }
 
 // A shorter one of the same ends as `part`, which is a path or a stretch of it.
-std::optional<Found> BendSteps::tighter(RoadmapSearch& search, const PlanOptions& options,
-                                        const Polyline& part) const {
+std::optional<Found> BendSteps::tighter(const PlanOptions& options, const Polyline& part) const {
   if (part.size() < 3) return {};
-  if (scene_.free(part.front(), part.back())) return Found{{part.front(), part.back()}, {}};
+  const Vec3& from = part.front();
+  const Vec3& to = part.back();
+  if (scene_.free(from, to)) return Found{{from, to}, {}};
   const double length = geom::length(part);
   const bool best = options.quality == Quality::best;
+  if (!best && length - (to - from).norm() < kNear * length) return {};
   RoadmapLimits limits{best || length < kStretch / 2 ? kCorridorBends : kStretchBends};
-  limits.weight = kHaste;
-  limits.shorter = length + (best ? kBend : kMiddles);
-  return shortest(search, {part.front(), part.back(), options}, limits, part);
+  limits.weight = best ? 1 : kHaste;
+  limits.shorter = length + kMiddles;
+  RoadmapSearch search(scene_, bends_for(part, limits.shorter, best), kCorridorReach);
+  return shortest(search, {from, to, options}, limits, part);
 }
 
 // A long path is looked at stretch by stretch, each from about the middle of the one before: what a
 // search settles grows faster than its distance, and most of what can be gained is gained nearby.
-std::optional<Found> BendSteps::by_stretches(RoadmapSearch& search, const Task& task,
-                                             const Polyline& than) const {
-  Polyline path = than;
+std::optional<Found> BendSteps::by_stretches(const Task& task, const Polyline& than) const {
+  Polyline path = resample_free(scene_, than, kStretch / 2);
   std::size_t settled = 0;
   for (std::size_t first = 0; first + 2 < path.size();) {
     std::size_t last = std::max(point_after(path, first, kStretch), first + 2);
-    const bool whole = first == 0 && last + 1 == path.size();
-    const auto found = tighter(search, task.options, part_of(path, first, last));
-    if (whole) return found;
+    const auto found = tighter(task.options, part_of(path, first, last));
     if (found) {
       settled += found->expanded;
       replace_part(path, first, last, found->path);

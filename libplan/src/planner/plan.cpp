@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "bend_steps.h"
+#include "first_answer.h"
 #include "geom/base/precondition.h"
 #include "geom/text/counted.h"
 #include "lattice_level.h"
@@ -72,6 +73,7 @@ struct Planner::Impl {
   PlanResult by_recipe(const Task& task);
   PlanResult by_method(const Task& task);
   PlanResult by_sampling(const Task& task, SamplingMethod method);
+  PlanResult first_or_lattices(const Task& task, std::optional<ReachResult> reached);
   PlanResult by_lattices(const Task& task, std::optional<ReachResult> reached);
   PlanResult by_cells(const Task& task, ReachResult reached, PlanResult tried) const;
   PlanResult by_level(LatticeLevel& level, const Task& task);
@@ -211,6 +213,17 @@ PlanResult Planner::Impl::by_method(const Task& task) {
   return with(std::move(found), route, std::move(result));
 }
 
+// The shorter of a path found without a search and a lattice's, which is sought where the first may
+// be far from shortest.
+PlanResult Planner::Impl::first_or_lattices(const Task& task, std::optional<ReachResult> reached) {
+  auto first = first_answer(scene_, task);
+  PlanResult result;
+  const bool given = !levels_.empty() && levels_[0]->given();
+  if (given || !first || !suffices(*first, task)) result = by_lattices(task, std::move(reached));
+  if (!first || !shorter(first->found.path, result.path)) return result;
+  return with(std::move(first->found), first->route, {});
+}
+
 PlanResult Planner::Impl::by_recipe(const Task& task) {
   if (scene_.free(task.from, task.to)) {
     const Polyline straight = {task.from, task.to};
@@ -229,7 +242,7 @@ PlanResult Planner::Impl::by_recipe(const Task& task) {
       return with(std::move(*found), OwnRoute::roadmap, {});
     }
   }
-  PlanResult result = by_lattices(task, std::move(reached));
+  PlanResult result = first_or_lattices(task, std::move(reached));
   if (result.path.empty() || !polished(task.options)) return result;
   auto better = bends_.better(task, result.path);
   if (!better) return result;

@@ -28,10 +28,12 @@ class BoxEdge {
                 static_cast<std::int8_t>(corner & 2 ? 1 : -1)};
   }
 
-  // In the middle of what is exposed of each part, but for parts that are surely out of the square.
-  void add_bends(double part, const std::optional<geom::Aabb>& square, Cover& cover,
-                 std::vector<Bend>& out) const {
+  // In the middle of what is exposed of each part, but for parts that are surely out of the square,
+  // and bends that the ways do not hold.
+  void add_bends(double part, const std::optional<geom::Aabb>& square, const ShortWays* ways,
+                 Cover& cover, std::vector<Bend>& out) const {
     if (square && !geom::overlap(*square, line())) return;
+    if (ways && !ways->may_meet(line())) return;
     if (out_of_bounds()) return;
     find(cover);
     const double length = box_.max[k_] - box_.min[k_];
@@ -45,6 +47,7 @@ class BoxEdge {
         if (high < from || low > to) continue;
         const double middle = 0.5 * (std::max(low, from) + std::min(high, to));
         const Bend bend{beside(1, 1, middle), static_cast<std::int8_t>(k_), outward_};
+        if (ways && !ways->hold(bend.position)) continue;
         if (free(bend.position, cover.outermost)) out.push_back(bend);
       }
     }
@@ -114,11 +117,46 @@ class BoxEdge {
   std::array<std::int8_t, 2> outward_{};
 };
 
+constexpr double kCell = 60;  // metres: the widest region that is asked at once
+
+// Adds the boxes of the region that the ways may meet, halved until it is small; whether these are
+// few enough.
+bool add_boxes(const geom::CollisionScene& scene, const ShortWays& ways, const geom::Aabb& region,
+               std::size_t most, std::vector<std::size_t>& out) {
+  if (!ways.may_meet(region)) return true;
+  const Vec3 size = region.max - region.min;
+  const int k = size.x() > size.y() ? 0 : 1;
+  if (size[k] <= kCell) {
+    const auto found = scene.boxes_meeting(region);
+    out.insert(out.end(), found.begin(), found.end());
+    return out.size() <= most;
+  }
+  geom::Aabb low = region;
+  geom::Aabb high = region;
+  low.max[k] = high.min[k] = 0.5 * (region.min[k] + region.max[k]);
+  return add_boxes(scene, ways, low, most, out) && add_boxes(scene, ways, high, most, out);
+}
+
 }  // namespace
+
+std::optional<std::vector<Bend>> bends_within(const geom::CollisionScene& scene, double part,
+                                              const ShortWays& ways, std::size_t most) {
+  std::vector<std::size_t> near;
+  if (!add_boxes(scene, ways, ways.around(), most, near)) return std::nullopt;
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  std::vector<Bend> bends;
+  for (const std::size_t i : near) {
+    const geom::Aabb box = scene.grown(i);
+    if (ways.may_meet(box)) add_bends(scene, box, part, std::nullopt, bends, &ways);
+  }
+  return bends;
+}
 
 // Of the boxes beside a part of an edge only those matter that come near that part.
 void add_bends(const geom::CollisionScene& scene, const geom::Aabb& box, double part,
-               const std::optional<geom::Aabb>& square, std::vector<Bend>& out) {
+               const std::optional<geom::Aabb>& square, std::vector<Bend>& out,
+               const ShortWays* ways) {
   geom::Aabb beside = geom::grow(box, Vec3::Constant(2 * kOff));
   if (square) {
     const geom::Aabb wide = geom::grow(*square, Vec3::Constant(2 * part + 1));
@@ -133,7 +171,7 @@ void add_bends(const geom::CollisionScene& scene, const geom::Aabb& box, double 
   Cover cover;
   for (int k = 0; k < 3; ++k) {
     for (int corner = 0; corner < 4; ++corner) {
-      BoxEdge(scene, near, box, k, corner).add_bends(part, square, cover, out);
+      BoxEdge(scene, near, box, k, corner).add_bends(part, square, ways, cover, out);
     }
   }
 }
