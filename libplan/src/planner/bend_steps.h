@@ -40,7 +40,8 @@ class BendSteps {
   std::optional<Found> shortest(RoadmapSearch& search, const Task& task, RoadmapLimits limits,
                                 const geom::Polyline& than) const;
   std::vector<Bend> bends_for(const geom::Polyline& part, double length, bool best) const;
-  std::optional<Found> tighter(const PlanOptions& options, const geom::Polyline& part) const;
+  std::optional<Found> tighter(const PlanOptions& options, const geom::Polyline& part,
+                               std::size_t paths) const;
   std::optional<Found> by_stretches(const Task& task, const geom::Polyline& than) const;
 
   const geom::CollisionScene& scene_;

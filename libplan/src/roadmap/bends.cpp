@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
+#include "curve.h"
 #include "uncovered.h"
 
 namespace plan {
@@ -137,17 +139,33 @@ bool add_boxes(const geom::CollisionScene& scene, const ShortWays& ways, const g
   return add_boxes(scene, ways, low, most, out) && add_boxes(scene, ways, high, most, out);
 }
 
+// The grown boxes of these numbers, each once, so that neighbours mostly follow each other.
+std::vector<geom::Aabb> along_curve(const geom::CollisionScene& scene,
+                                    std::vector<std::size_t> boxes, const Curve& curve) {
+  std::sort(boxes.begin(), boxes.end());
+  boxes.erase(std::unique(boxes.begin(), boxes.end()), boxes.end());
+  std::vector<std::pair<std::uint64_t, std::size_t>> places;
+  places.reserve(boxes.size());
+  for (const std::size_t i : boxes) {
+    const geom::Aabb& box = scene.map().box(i);
+    places.emplace_back(curve.place(0.5 * (box.min + box.max)), i);
+  }
+  std::sort(places.begin(), places.end());
+  std::vector<geom::Aabb> out;
+  out.reserve(places.size());
+  for (const auto& [place, i] : places) out.push_back(scene.grown(i));
+  return out;
+}
+
 }  // namespace
 
 std::optional<std::vector<Bend>> bends_within(const geom::CollisionScene& scene, double part,
                                               const ShortWays& ways, std::size_t most) {
+  const geom::Aabb around = ways.around();
   std::vector<std::size_t> near;
-  if (!add_boxes(scene, ways, ways.around(), most, near)) return std::nullopt;
-  std::sort(near.begin(), near.end());
-  near.erase(std::unique(near.begin(), near.end()), near.end());
+  if (!add_boxes(scene, ways, around, most, near)) return std::nullopt;
   std::vector<Bend> bends;
-  for (const std::size_t i : near) {
-    const geom::Aabb box = scene.grown(i);
+  for (const geom::Aabb& box : along_curve(scene, std::move(near), Curve(around))) {
     if (ways.may_meet(box)) add_bends(scene, box, part, std::nullopt, bends, &ways);
   }
   return bends;

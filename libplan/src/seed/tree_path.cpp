@@ -9,9 +9,9 @@ namespace plan {
 namespace {
 
 constexpr std::uint64_t kTrees = 4;
-constexpr std::size_t kIterations = 2000;  // of each pair of trees
-constexpr double kLeast = 30;              // metres around the places, at least
-constexpr double kShare = 0.5;             // of their distance
+constexpr std::size_t kIterations = 500;  // of each pair of trees
+constexpr double kLeast = 100;              // metres around the places, at least
+constexpr double kShare = 1;             // of their distance
 
 }  // namespace
 
