@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "curve.h"
+#include "path/boxes_within.h"
 #include "uncovered.h"
 
 namespace plan {
@@ -36,8 +37,7 @@ class BoxEdge {
                  Cover& cover, std::vector<Bend>& out) const {
     if (square && !geom::overlap(*square, line())) return;
     if (ways && !ways->may_meet(line())) return;
-    if (out_of_bounds()) return;
-    find(cover);
+    if (out_of_bounds() || !find(cover)) return;
     const double length = box_.max[k_] - box_.min[k_];
     const double parts = std::max(1.0, std::ceil(length / part));
     const auto [first, end] = parts_in(square, length, parts);
@@ -83,7 +83,8 @@ class BoxEdge {
   }
 
   // The edge is exposed where the three outer quadrants are free, each looked at along its line.
-  void find(Cover& cover) const {
+  // False where a single box hides all of it.
+  bool find(Cover& cover) const {
     cover.outermost.clear();
     cover.any.clear();
     const Vec3 out = beside(1, 1, 0);
@@ -97,9 +98,11 @@ class BoxEdge {
       const bool out2 = holds(i2_, out);
       const Interval along{other.min[k_], other.max[k_]};
       if (out1 && out2) cover.outermost.push_back(along);
-      if ((out1 && (out2 || holds(i2_, in))) || (out2 && holds(i1_, in)))
-        cover.any.push_back(along);
+      if (!(out1 && (out2 || holds(i2_, in))) && !(out2 && holds(i1_, in))) continue;
+      if (along.first <= box_.min[k_] && along.second >= box_.max[k_]) return false;
+      cover.any.push_back(along);
     }
+    return true;
   }
 
   // scene.free() of a point of the line in the outermost quadrant, of which this is `blocked`.
@@ -119,31 +122,9 @@ class BoxEdge {
   std::array<std::int8_t, 2> outward_{};
 };
 
-constexpr double kCell = 60;  // metres: the widest region that is asked at once
-
-// Adds the boxes of the region that the ways may meet, halved until it is small; whether these are
-// few enough.
-bool add_boxes(const geom::CollisionScene& scene, const ShortWays& ways, const geom::Aabb& region,
-               std::size_t most, std::vector<std::size_t>& out) {
-  if (!ways.may_meet(region)) return true;
-  const Vec3 size = region.max - region.min;
-  const int k = size.x() > size.y() ? 0 : 1;
-  if (size[k] <= kCell) {
-    const auto found = scene.boxes_meeting(region);
-    out.insert(out.end(), found.begin(), found.end());
-    return out.size() <= most;
-  }
-  geom::Aabb low = region;
-  geom::Aabb high = region;
-  low.max[k] = high.min[k] = 0.5 * (region.min[k] + region.max[k]);
-  return add_boxes(scene, ways, low, most, out) && add_boxes(scene, ways, high, most, out);
-}
-
-// The grown boxes of these numbers, each once, so that neighbours mostly follow each other.
+// The grown boxes of these numbers, so that neighbours mostly follow each other.
 std::vector<geom::Aabb> along_curve(const geom::CollisionScene& scene,
-                                    std::vector<std::size_t> boxes, const Curve& curve) {
-  std::sort(boxes.begin(), boxes.end());
-  boxes.erase(std::unique(boxes.begin(), boxes.end()), boxes.end());
+                                    const std::vector<std::size_t>& boxes, const Curve& curve) {
   std::vector<std::pair<std::uint64_t, std::size_t>> places;
   places.reserve(boxes.size());
   for (const std::size_t i : boxes) {
@@ -161,12 +142,11 @@ std::vector<geom::Aabb> along_curve(const geom::CollisionScene& scene,
 
 std::optional<std::vector<Bend>> bends_within(const geom::CollisionScene& scene, double part,
                                               const ShortWays& ways, std::size_t most) {
-  const geom::Aabb around = ways.around();
-  std::vector<std::size_t> near;
-  if (!add_boxes(scene, ways, around, most, near)) return std::nullopt;
+  const auto boxes = boxes_within(scene, ways, most);
+  if (!boxes) return std::nullopt;
   std::vector<Bend> bends;
-  for (const geom::Aabb& box : along_curve(scene, std::move(near), Curve(around))) {
-    if (ways.may_meet(box)) add_bends(scene, box, part, std::nullopt, bends, &ways);
+  for (const geom::Aabb& box : along_curve(scene, *boxes, Curve(ways.around()))) {
+    add_bends(scene, box, part, std::nullopt, bends, &ways);
   }
   return bends;
 }
