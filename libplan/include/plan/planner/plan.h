@@ -35,7 +35,7 @@ using geom::PathStep;
 enum class Quality {
   fast,    // the first path, not pulled taut
   normal,  // searched for among bends, and pulled taut
-  best     // the best of up to 4 paths among bends, each pulled taut, and bends closer together
+  best     // among bends closer together; over up to 2 km the best of 4 paths, each pulled taut
 };
 
 inline constexpr geom::Words<Quality, 3> kQualityWords{{
