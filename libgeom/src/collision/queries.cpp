@@ -116,8 +116,9 @@ struct PointAsked {
   bool passes_over(const Skyline& skyline) const { return skyline.clears(a); }
 };
 
-// Whether it meets a grown box; seen(box) is called for the one that decides.
-template <class Asked, class Seen>
+// Calls seen(group, k) for grown boxes k of groups that meet it, until that returns true; returns
+// whether it did. Where `first`, the first of them ends the search.
+template <bool first, class Asked, class Seen>
 bool find_hit(CollisionScene::Impl& impl, const Asked& asked, const Seen& seen) {
   // The only group is never given up.
   const bool one = impl.groups.size() == 1;
@@ -126,13 +127,14 @@ bool find_hit(CollisionScene::Impl& impl, const Asked& asked, const Seen& seen) 
   return with_lanes([&](auto lanes) SKYWAY_ANY_LANES {
     using Lanes = decltype(lanes);
     const auto hits_group = [&](const GroupTree& group) SKYWAY_ANY_LANES {
-      const auto see = [&](std::size_t k) SKYWAY_ANY_LANES { seen(group.grown[k]); };
-      const auto hits = [&](std::size_t k) SKYWAY_ANY_LANES {
-        if (!asked.meets(group.grown[k])) return false;
-        see(k);
-        return true;
-      };
-      return any_meeting<Lanes>(group.nodes(), question.of(group), hits, see);
+      const auto see = [&](std::size_t k) SKYWAY_ANY_LANES { return seen(group, k) || first; };
+      const auto hits = [&](std::size_t k)
+                            SKYWAY_ANY_LANES { return asked.meets(group.grown[k]) && see(k); };
+      if constexpr (first) {
+        return any_meeting<Lanes>(group.nodes(), question.of(group), hits, see);
+      } else {
+        return any_meeting<Lanes>(group.nodes(), question.of(group), hits);
+      }
     };
     if (one) return hits_group(impl.touch(0));
     return any_meeting<Lanes>(nodes_around(impl, asked.a, asked.b), question.shared(),
@@ -143,21 +145,35 @@ bool find_hit(CollisionScene::Impl& impl, const Asked& asked, const Seen& seen) 
   });
 }
 
-template <class Seen>
+template <bool first, class Seen>
 bool find_hit(CollisionScene::Impl& impl, const Vec3& a, const Vec3& b, const Seen& seen) {
-  return a == b ? find_hit(impl, PointAsked{a, b}, seen) : find_hit(impl, SegmentAsked{a, b}, seen);
+  return a == b ? find_hit<first>(impl, PointAsked{a, b}, seen)
+                : find_hit<first>(impl, SegmentAsked{a, b}, seen);
 }
 
 }  // namespace
 
 bool hits_any(CollisionScene::Impl& impl, const Vec3& a, const Vec3& b) {
-  return find_hit(impl, a, b, [](const Aabb&) {});
+  return find_hit<true>(impl, a, b, [](const GroupTree&, std::size_t) { return true; });
 }
 
 std::optional<Aabb> blocking_box(CollisionScene::Impl& impl, const Vec3& a, const Vec3& b) {
   std::optional<Aabb> box;
-  find_hit(impl, a, b, [&](const Aabb& grown) { box = grown; });
+  find_hit<true>(impl, a, b, [&](const GroupTree& group, std::size_t k) {
+    box = group.grown[k];
+    return true;
+  });
   return box;
+}
+
+std::vector<std::size_t> blocking_boxes(CollisionScene::Impl& impl, const Vec3& a, const Vec3& b) {
+  std::vector<std::size_t> boxes;
+  find_hit<false>(impl, a, b, [&](const GroupTree& group, std::size_t k) {
+    boxes.push_back(group.first + group.name[k]);
+    return false;
+  });
+  std::sort(boxes.begin(), boxes.end());
+  return boxes;
 }
 
 namespace {

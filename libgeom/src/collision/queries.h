@@ -13,6 +13,7 @@ namespace geom {
 
 bool hits_any(CollisionScene::Impl& impl, const Vec3& a, const Vec3& b);
 std::optional<Aabb> blocking_box(CollisionScene::Impl& impl, const Vec3& a, const Vec3& b);
+std::vector<std::size_t> blocking_boxes(CollisionScene::Impl& impl, const Vec3& a, const Vec3& b);
 std::size_t find_nearest(CollisionScene::Impl& impl, const Vec3& p, double radius,
                          std::span<Nearest> room);
 std::optional<std::vector<std::size_t>> find_meeting(CollisionScene::Impl& impl, const Aabb& region,

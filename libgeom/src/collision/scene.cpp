@@ -56,6 +56,12 @@ std::optional<Aabb> CollisionScene::blocker(const Vec3& a, const Vec3& b) const 
   return blocking_box(*impl_, a, b);
 }
 
+std::vector<std::size_t> CollisionScene::blockers(const Vec3& a, const Vec3& b) const {
+  require_points("segment", a, b);
+  if (impl_->groups.empty()) return {};
+  return blocking_boxes(*impl_, a, b);
+}
+
 bool CollisionScene::free(const Vec3& a, const Vec3& b) const {
   return inside_bounds(a) && inside_bounds(b) && !hits(a, b);
 }

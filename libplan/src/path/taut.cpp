@@ -5,21 +5,16 @@
 #include <cmath>
 #include <vector>
 
+#include "path/flat_chain.h"
+
 namespace plan {
 namespace {
 
 using geom::Polyline;
-using geom::Vec3;
 
 constexpr double kOff = 1e-3;    // metres that bends keep from boxes
 constexpr double kLeast = 1e-9;  // metres: gains below it are rounding
 constexpr int kHalvings = 5;     // of a slide that is blocked
-
-struct Flat {  // a point of the triangle: along its base and up towards its tip
-  double u;
-  double w;
-  Vec3 point;
-};
 
 // A triangle over its base, which is longer than nothing, and not flat.
 struct Triangle {
@@ -95,8 +90,6 @@ std::vector<std::size_t> boxes_near(const geom::CollisionScene& scene, const Tri
 
 // Where the edges of the boxes, kOff outside them, pass through the triangle.
 std::vector<Flat> edge_points(const geom::CollisionScene& scene, const Triangle& triangle) {
-  const Vec3& a = triangle.a;
-  const Vec3& normal = triangle.normal;
   std::vector<Flat> out;
   for (const std::size_t i : boxes_near(scene, triangle)) {
     const geom::Aabb& obstacle = scene.map().box(i);
@@ -108,40 +101,18 @@ std::vector<Flat> edge_points(const geom::CollisionScene& scene, const Triangle&
     if (!geom::overlap(box, triangle.around)) continue;
     box.min.array() -= kOff;
     box.max.array() += kOff;
-    for (int k = 0; k < 3; ++k) {
-      if (std::abs(normal[k]) < 1e-12) continue;  // its ends are those of edges across
-      const int i1 = (k + 1) % 3;
-      const int i2 = (k + 2) % 3;
-      for (int corner = 0; corner < 4; ++corner) {
-        Vec3 p = a;
-        p[i1] = corner & 1 ? box.max[i1] : box.min[i1];
-        p[i2] = corner & 2 ? box.max[i2] : box.min[i2];
-        p[k] = a[k] - (normal[i1] * (p[i1] - a[i1]) + normal[i2] * (p[i2] - a[i2])) / normal[k];
-        if (!(p[k] >= box.min[k] && p[k] <= box.max[k])) continue;
-        const double u = (p - a).dot(triangle.along);
-        const double w = (p - a).dot(triangle.up);
-        if (triangle.holds(u, w)) out.push_back({u, w, p});
-      }
-    }
+    for_edges_through(box, triangle.a, triangle.normal, [&](const Vec3& p) {
+      const double u = (p - triangle.a).dot(triangle.along);
+      const double w = (p - triangle.a).dot(triangle.up);
+      if (triangle.holds(u, w)) out.push_back({u, w, p});
+    });
   }
   return out;
 }
 
-// The upper convex chain over the base, without its ends (Andrew 1979).
+// The upper convex chain over the base, without its ends.
 std::vector<Vec3> chain(std::vector<Flat> points, double length) {
-  std::sort(points.begin(), points.end(),
-            [](const Flat& x, const Flat& y) { return x.u != y.u ? x.u < y.u : x.w < y.w; });
-  points.push_back({length, 0, Vec3::Zero()});
-  std::vector<Flat> hull = {{0, 0, Vec3::Zero()}};
-  for (const Flat& p : points) {
-    while (hull.size() > 1) {
-      const Flat& q = hull.back();
-      const Flat& o = hull[hull.size() - 2];
-      if ((q.u - o.u) * (p.w - o.w) - (q.w - o.w) * (p.u - o.u) < 0) break;
-      hull.pop_back();
-    }
-    hull.push_back(p);
-  }
+  const auto hull = upper_chain(std::move(points), {0, 0, {}}, {length, 0, {}});
   std::vector<Vec3> out;
   for (std::size_t i = 1; i + 1 < hull.size(); ++i) out.push_back(hull[i].point);
   return out;

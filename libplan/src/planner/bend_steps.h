@@ -25,8 +25,8 @@ class BendSteps {
   std::optional<Found> at_once(const Task& task);
   std::optional<Found> exhaustively(const Task& task);
 
-  // A path shorter than `than`, which a lattice gave: by the roadmap, or else among bends around
-  // the boxes near it.
+  // A path shorter than `than`: by the roadmap, or else among bends around the boxes that such a
+  // path may touch.
   std::optional<Found> better(const Task& task, const geom::Polyline& than);
 
   // A path shorter than `than`, by bends that are closer to each other along it. Not sought where
@@ -39,10 +39,10 @@ class BendSteps {
                                   const geom::Polyline& than);
   std::optional<Found> shortest(RoadmapSearch& search, const Task& task, RoadmapLimits limits,
                                 const geom::Polyline& than) const;
-  std::optional<Found> tighter(RoadmapSearch& search, const PlanOptions& options,
-                               const geom::Polyline& part) const;
-  std::optional<Found> by_stretches(RoadmapSearch& search, const Task& task,
-                                    const geom::Polyline& than) const;
+  std::vector<Bend> bends_for(const geom::Polyline& part, double length, bool best) const;
+  std::optional<Found> tighter(const PlanOptions& options, const geom::Polyline& part,
+                               std::size_t paths) const;
+  std::optional<Found> by_stretches(const Task& task, const geom::Polyline& than) const;
 
   const geom::CollisionScene& scene_;
   const Roadmap* roadmap_;

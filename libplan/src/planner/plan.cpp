@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "bend_steps.h"
+#include "first_answer.h"
 #include "geom/base/precondition.h"
 #include "geom/text/counted.h"
 #include "lattice_level.h"
@@ -26,7 +27,8 @@ constexpr double kSpacing = 10;       // metres: of the first lattice on a map o
 constexpr int kLevels = 3;            // each of half the spacing of the one before
 constexpr double kFewestNodes = 1e4;  // of the first lattice: a small map gets a finer one
 constexpr double kDetour = 1.2;       // of the straight line: then a finer lattice may know better
-constexpr double kHaste = 1.02;       // weight where a lattice's path only leads to bends
+constexpr double kHaste = 1.1;        // weight where a lattice's path only leads to bends
+constexpr double kCoarser = 2;        // times the first spacing: of a lattice that only leads there
 
 double nodes_at(const geom::Aabb& inner, double spacing) {
   double nodes = 1;
@@ -54,6 +56,11 @@ PlanResult with(Found found, Route route, PlanResult result) {
   return result;
 }
 
+// Whether a lattice's path only leads to bends.
+bool guides(const Task& task) {
+  return task.options.method == kAutomatic && polished(task.options);
+}
+
 std::string why_not(const PlanResult& result) {
   if (result.status == PathStatus::stopped) {
     return fmt::format("the search was given up: a lattice with nodes every {} m has too many",
@@ -72,14 +79,17 @@ struct Planner::Impl {
   PlanResult by_recipe(const Task& task);
   PlanResult by_method(const Task& task);
   PlanResult by_sampling(const Task& task, SamplingMethod method);
+  PlanResult first_or_lattices(const Task& task, std::optional<ReachResult> reached);
   PlanResult by_lattices(const Task& task, std::optional<ReachResult> reached);
   PlanResult by_cells(const Task& task, ReachResult reached, PlanResult tried) const;
   PlanResult by_level(LatticeLevel& level, const Task& task);
+  PlanResult shortened(PlanResult result, const Task& task) const;
 
   const geom::CollisionScene& scene_;
   BendSteps bends_;
   Reach reach_;
   Bounder bounder_;
+  std::unique_ptr<LatticeLevel> guide_;                       // before the first of our own
   std::vector<std::unique_ptr<LatticeLevel>> levels_;         // from the first to try to finer ones
   std::vector<std::unique_ptr<LatticeLevel>> coarse_levels_;  // for where the first are too large
 };
@@ -95,37 +105,43 @@ Planner::Impl::Impl(const geom::CollisionScene& scene, const Lattice* lattice,
   if (scene.free_bounds()) {
     const auto spacings = spacings_for(*scene.free_bounds());
     for (const double spacing : spacings) levels_.push_back(lazy(spacing));
+    if (!lattice) guide_ = lazy(kCoarser * spacings[0]);
     for (const double times : {4, 16}) coarse_levels_.push_back(lazy(times * spacings[0]));
   }
 }
 
 // As the search gave it, not shortened.
 PlanResult Planner::Impl::by_level(LatticeLevel& level, const Task& task) {
-  const bool guides = task.options.method == kAutomatic && polished(task.options);
-  PlanResult result = level.search(scene_, task.from, task.to, guides ? kHaste : 1);
+  PlanResult result = level.search(scene_, task.from, task.to, guides(task) ? kHaste : 1);
   if (level.given()) require_free(scene_, result.path, "lattice");
   return result;
 }
 
+PlanResult Planner::Impl::shortened(PlanResult result, const Task& task) const {
+  if (result.path.empty()) return result;
+  Found found = refined(scene_, result.path, task.options, true);
+  found.expanded = result.expanded;
+  return with(std::move(found), OwnRoute::lattice, std::move(result));
+}
+
 PlanResult Planner::Impl::by_lattices(const Task& task, std::optional<ReachResult> reached) {
-  const auto shortened = [&](PlanResult result) {
-    if (result.path.empty()) return result;
-    Found found = refined(scene_, result.path, task.options, true);
-    found.expanded = result.expanded;
-    return with(std::move(found), OwnRoute::lattice, std::move(result));
+  const auto near = [&](const PlanResult& result) {
+    return geom::length(result.path) <= kDetour * task.straight();
   };
+  if (guide_ && guides(task)) {
+    PlanResult tried = shortened(by_level(*guide_, task), task);
+    if (tried.status == PathStatus::found && near(tried)) return tried;
+  }
   PlanResult result;
   result.route = OwnRoute::lattice;
   for (const auto& level : levels_) {
-    PlanResult tried = shortened(by_level(*level, task));
+    PlanResult tried = shortened(by_level(*level, task), task);
     if (!result.path.empty()) {  // a second opinion on a detour
       return !tried.path.empty() && shorter(tried.path, result.path) ? tried : result;
     }
     result = std::move(tried);
     const bool found = result.status == PathStatus::found;
-    if (found && (task.options.raw || geom::length(result.path) <= kDetour * task.straight())) {
-      return result;
-    }
+    if (found && (task.options.raw || near(result))) return result;
     if (found) continue;
     if (result.status == PathStatus::stopped) break;
     if (!reached) reached = reach_.ask(task.from, task.to);
@@ -135,7 +151,7 @@ PlanResult Planner::Impl::by_lattices(const Task& task, std::optional<ReachResul
   if (result.status == PathStatus::stopped) {
     for (const auto& level : coarse_levels_) {
       PlanResult tried = by_level(*level, task);
-      if (tried.status == PathStatus::found) return shortened(std::move(tried));
+      if (tried.status == PathStatus::found) return shortened(std::move(tried), task);
     }
   }
   if (!reached) reached = reach_.ask(task.from, task.to);
@@ -211,6 +227,17 @@ PlanResult Planner::Impl::by_method(const Task& task) {
   return with(std::move(found), route, std::move(result));
 }
 
+// The shorter of a path found without a search and a lattice's, which is sought where the first may
+// be far from shortest.
+PlanResult Planner::Impl::first_or_lattices(const Task& task, std::optional<ReachResult> reached) {
+  auto first = first_answer(scene_, task);
+  PlanResult result;
+  const bool given = !levels_.empty() && levels_[0]->given();
+  if (given || !first || !suffices(*first, task)) result = by_lattices(task, std::move(reached));
+  if (!first || !shorter(first->found.path, result.path)) return result;
+  return with(std::move(first->found), first->route, {});
+}
+
 PlanResult Planner::Impl::by_recipe(const Task& task) {
   if (scene_.free(task.from, task.to)) {
     const Polyline straight = {task.from, task.to};
@@ -229,7 +256,7 @@ PlanResult Planner::Impl::by_recipe(const Task& task) {
       return with(std::move(*found), OwnRoute::roadmap, {});
     }
   }
-  PlanResult result = by_lattices(task, std::move(reached));
+  PlanResult result = first_or_lattices(task, std::move(reached));
   if (result.path.empty() || !polished(task.options)) return result;
   auto better = bends_.better(task, result.path);
   if (!better) return result;

@@ -4,22 +4,13 @@
 #include <cmath>
 #include <utility>
 
+#include "curve.h"
 #include "geom/base/rounding.h"
 
 namespace plan {
 namespace {
 
 constexpr std::size_t kChildren = 4;
-constexpr int kBits = 20;  // of each coordinate in a place on the curve
-
-// Every third bit, from the lowest on, is one of `x` (Morton 1966).
-std::uint64_t spread(std::uint64_t x) {
-  x = (x | x << 32) & 0x001f00000000ffff;
-  x = (x | x << 16) & 0x001f0000ff0000ff;
-  x = (x | x << 8) & 0x100f00f00f00f00f;
-  x = (x | x << 4) & 0x10c30c30c30c30c3;
-  return (x | x << 2) & 0x1249249249249249;
-}
 
 BendTree::Node leaf_of(std::span<const Bend> bends, std::size_t first) {
   const std::size_t count = std::min(BendTree::kBendsOfLeaf, bends.size() - first);
@@ -52,22 +43,15 @@ BendTree::Node parent_of(std::span<const BendTree::Node> children, std::size_t f
   return parent;
 }
 
-// Along a curve through the cube that holds all of them.
+// Along a curve.
 void sort_leaves(std::vector<BendTree::Node>& leaves) {
   if (leaves.empty()) return;
-  const BendTree::Node all = parent_of(leaves, 0);
-  double side = 0;
-  for (int k = 0; k < 3; ++k) side = std::max(side, double{all.max[k]} - all.min[k]);
-  const double scale = side > 0 ? ((1 << kBits) - 1) / side : 0;
+  const Curve curve(BendTree::box(parent_of(leaves, 0)));
   std::vector<std::pair<std::uint64_t, std::uint32_t>> places;
   places.reserve(leaves.size());
   for (std::size_t i = 0; i < leaves.size(); ++i) {
-    std::uint64_t place = 0;
-    for (int k = 0; k < 3; ++k) {
-      const double middle = 0.5 * (double{leaves[i].min[k]} + leaves[i].max[k]);
-      place |= spread(static_cast<std::uint64_t>((middle - all.min[k]) * scale)) << k;
-    }
-    places.emplace_back(place, static_cast<std::uint32_t>(i));
+    const geom::Aabb box = BendTree::box(leaves[i]);
+    places.emplace_back(curve.place(0.5 * (box.min + box.max)), static_cast<std::uint32_t>(i));
   }
   std::sort(places.begin(), places.end());
   std::vector<BendTree::Node> sorted;

@@ -32,6 +32,7 @@ class BendTree {
   explicit BendTree(std::span<const Bend> bends);
 
   bool empty() const { return nodes_.empty(); }
+  std::size_t size() const { return nodes_.size(); }
   std::uint32_t root() const { return static_cast<std::uint32_t>(nodes_.size() - 1); }
   const Node& node(std::uint32_t i) const { return nodes_[i]; }
 
@@ -44,7 +45,8 @@ class BendTree {
   static geom::Aabb box(const Node& node);
 
   // Calls f(first, count) for the bends of all leaves whose squared distance from `p` is at most
-  // radius * radius (metres), but for those below nodes for which skip(node) is true.
+  // radius * radius (metres), but for those below nodes i, at a squared distance s, for which
+  // skip(i, s) is true.
   template <class Skip, class F>
   void for_leaves_near(const Vec3& p, double radius, const Skip& skip, const F& f) const {
     if (!empty()) for_leaves_near(root(), p, radius * radius, skip, f);
@@ -57,7 +59,8 @@ class BendTree {
   void for_leaves_near(std::uint32_t i, const Vec3& p, double square, const Skip& skip,
                        const F& f) const {
     const Node& node = nodes_[i];
-    if (squared_distance(node, p) > square || skip(node)) return;
+    const double apart = squared_distance(node, p);
+    if (apart > square || skip(i, apart)) return;
     if (node.leaf) {
       f(node.first, std::uint32_t{node.count});
       return;
@@ -73,14 +76,16 @@ class BendTree {
 // Rounding keeps the order of differences, squares, sums and square roots, so the distance to the
 // box is not above that to a point of it where both are worked out in the same way.
 inline double BendTree::squared_distance(const Node& node, const Vec3& p) {
-  Vec3 off;
-  for (int k = 0; k < 3; ++k) {
+  const auto out = [&](int k) {
     const double below = node.min[k] - p[k];
     const double above = p[k] - node.max[k];
-    const double out = below > above ? below : above;
-    off[k] = out > 0 ? out : 0;
-  }
-  return off.squaredNorm();
+    const double off = below > above ? below : above;
+    return off > 0 ? off : 0;
+  };
+  const double x = out(0);
+  const double y = out(1);
+  const double z = out(2);
+  return x * x + y * y + z * z;  // as squaredNorm() adds
 }
 
 }  // namespace plan

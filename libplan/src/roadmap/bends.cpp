@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
+#include "curve.h"
+#include "path/boxes_within.h"
 #include "uncovered.h"
 
 namespace plan {
@@ -28,12 +31,13 @@ class BoxEdge {
                 static_cast<std::int8_t>(corner & 2 ? 1 : -1)};
   }
 
-  // In the middle of what is exposed of each part, but for parts that are surely out of the square.
-  void add_bends(double part, const std::optional<geom::Aabb>& square, Cover& cover,
-                 std::vector<Bend>& out) const {
+  // In the middle of what is exposed of each part, but for parts that are surely out of the square,
+  // and bends that the ways do not hold.
+  void add_bends(double part, const std::optional<geom::Aabb>& square, const ShortWays* ways,
+                 Cover& cover, std::vector<Bend>& out) const {
     if (square && !geom::overlap(*square, line())) return;
-    if (out_of_bounds()) return;
-    find(cover);
+    if (ways && !ways->may_meet(line())) return;
+    if (out_of_bounds() || !find(cover)) return;
     const double length = box_.max[k_] - box_.min[k_];
     const double parts = std::max(1.0, std::ceil(length / part));
     const auto [first, end] = parts_in(square, length, parts);
@@ -45,6 +49,7 @@ class BoxEdge {
         if (high < from || low > to) continue;
         const double middle = 0.5 * (std::max(low, from) + std::min(high, to));
         const Bend bend{beside(1, 1, middle), static_cast<std::int8_t>(k_), outward_};
+        if (ways && !ways->hold(bend.position)) continue;
         if (free(bend.position, cover.outermost)) out.push_back(bend);
       }
     }
@@ -78,7 +83,8 @@ class BoxEdge {
   }
 
   // The edge is exposed where the three outer quadrants are free, each looked at along its line.
-  void find(Cover& cover) const {
+  // False where a single box hides all of it.
+  bool find(Cover& cover) const {
     cover.outermost.clear();
     cover.any.clear();
     const Vec3 out = beside(1, 1, 0);
@@ -92,9 +98,11 @@ class BoxEdge {
       const bool out2 = holds(i2_, out);
       const Interval along{other.min[k_], other.max[k_]};
       if (out1 && out2) cover.outermost.push_back(along);
-      if ((out1 && (out2 || holds(i2_, in))) || (out2 && holds(i1_, in)))
-        cover.any.push_back(along);
+      if (!(out1 && (out2 || holds(i2_, in))) && !(out2 && holds(i1_, in))) continue;
+      if (along.first <= box_.min[k_] && along.second >= box_.max[k_]) return false;
+      cover.any.push_back(along);
     }
+    return true;
   }
 
   // scene.free() of a point of the line in the outermost quadrant, of which this is `blocked`.
@@ -114,11 +122,39 @@ class BoxEdge {
   std::array<std::int8_t, 2> outward_{};
 };
 
+// The grown boxes of these numbers, so that neighbours mostly follow each other.
+std::vector<geom::Aabb> along_curve(const geom::CollisionScene& scene,
+                                    const std::vector<std::size_t>& boxes, const Curve& curve) {
+  std::vector<std::pair<std::uint64_t, std::size_t>> places;
+  places.reserve(boxes.size());
+  for (const std::size_t i : boxes) {
+    const geom::Aabb& box = scene.map().box(i);
+    places.emplace_back(curve.place(0.5 * (box.min + box.max)), i);
+  }
+  std::sort(places.begin(), places.end());
+  std::vector<geom::Aabb> out;
+  out.reserve(places.size());
+  for (const auto& [place, i] : places) out.push_back(scene.grown(i));
+  return out;
+}
+
 }  // namespace
+
+std::optional<std::vector<Bend>> bends_within(const geom::CollisionScene& scene, double part,
+                                              const ShortWays& ways, std::size_t most) {
+  const auto boxes = boxes_within(scene, ways, most);
+  if (!boxes) return std::nullopt;
+  std::vector<Bend> bends;
+  for (const geom::Aabb& box : along_curve(scene, *boxes, Curve(ways.around()))) {
+    add_bends(scene, box, part, std::nullopt, bends, &ways);
+  }
+  return bends;
+}
 
 // Of the boxes beside a part of an edge only those matter that come near that part.
 void add_bends(const geom::CollisionScene& scene, const geom::Aabb& box, double part,
-               const std::optional<geom::Aabb>& square, std::vector<Bend>& out) {
+               const std::optional<geom::Aabb>& square, std::vector<Bend>& out,
+               const ShortWays* ways) {
   geom::Aabb beside = geom::grow(box, Vec3::Constant(2 * kOff));
   if (square) {
     const geom::Aabb wide = geom::grow(*square, Vec3::Constant(2 * part + 1));
@@ -133,7 +169,7 @@ void add_bends(const geom::CollisionScene& scene, const geom::Aabb& box, double 
   Cover cover;
   for (int k = 0; k < 3; ++k) {
     for (int corner = 0; corner < 4; ++corner) {
-      BoxEdge(scene, near, box, k, corner).add_bends(part, square, cover, out);
+      BoxEdge(scene, near, box, k, corner).add_bends(part, square, ways, cover, out);
     }
   }
 }

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "path/short_ways.h"
 #include "plan/roadmap/roadmap.h"
 
 namespace plan {
@@ -33,9 +34,14 @@ inline Across across(const Bend& bend, const Vec3& direction) {
 }
 
 // Adds the bends around a grown box, in their order; with a `square`, of infinite height, those
-// that stand in it and perhaps some near it.
+// that stand in it and perhaps some near it; with `ways`, those that these hold.
 void add_bends(const geom::CollisionScene& scene, const geom::Aabb& box, double part,
-               const std::optional<geom::Aabb>& square, std::vector<Bend>& out);
+               const std::optional<geom::Aabb>& square, std::vector<Bend>& out,
+               const ShortWays* ways = nullptr);
+
+// The bends that the ways hold, around all boxes; nothing where these are more than `most`.
+std::optional<std::vector<Bend>> bends_within(const geom::CollisionScene& scene, double part,
+                                              const ShortWays& ways, std::size_t most);
 
 // Whether two bends are within reach and the line between them is tangent to both boxes.
 inline bool aligned(const Bend& a, const Bend& b, double reach) {

@@ -73,12 +73,13 @@ struct RoadmapSearch::Impl {
   static constexpr double kSettled = -1;
 
   void begin(const Vec3& from, const Vec3& to, const RoadmapLimits& limits);
+  void measure_to_goal();
   void open_node(std::uint32_t node);
   void push_node(std::uint32_t node);
   void make_room();
   bool settle(const Open& top);
   bool known_as_near(std::uint32_t bend, double cost) const;
-  void reach(std::uint32_t from, std::uint32_t to, double cost);
+  void reach(std::uint32_t from, std::uint32_t to, double cost, double on);
   void look_around(std::uint32_t bend, double cost, const Across& in);
   std::span<const std::uint32_t> onward(std::uint32_t bend, const Across& in,
                                         const LoadedTiles::Edges& edges);
@@ -94,6 +95,8 @@ struct RoadmapSearch::Impl {
   std::optional<BendLanes> lanes_;    // likewise
   LoadedTiles tiles_;
   double reach_ = 0;
+  std::vector<double> bend_to_goal_;  // metres from each bend, where there are no edges,
+  std::vector<double> node_to_goal_;  // and from each node of tree_
   std::vector<Visit> visits_;
   std::uint32_t stamp_ = 0;
   Frontier<LowestPlace> open_{LowestPlace{&tiles_}};
@@ -127,6 +130,7 @@ void RoadmapSearch::Impl::begin(const Vec3& from, const Vec3& to, const RoadmapL
     std::fill(visits_.begin(), visits_.end(), Visit{});
     stamp_ = 1;
   }
+  if (tree_) measure_to_goal();
   const double straight = (to - from).norm();
   open_.start(weight_ * straight, std::max(kBucket * weight_ * straight, 1e-6));
   if (!tiles_.empty()) push_node(tiles_.root());
@@ -140,6 +144,16 @@ void RoadmapSearch::Impl::push_node(std::uint32_t index) {
   if (from_start + to_goal >= shorter_) return;
   const double bound = from_start + weight_ * to_goal;
   open_.push({bound, std::numeric_limits<double>::infinity(), index, Open::node});
+}
+
+// Where there are no edges: each is asked for often.
+void RoadmapSearch::Impl::measure_to_goal() {
+  bend_to_goal_.clear();
+  for (const Bend& bend : tiles_.bends()) bend_to_goal_.push_back((to_ - bend.position).norm());
+  node_to_goal_.clear();
+  for (std::uint32_t n = 0; n < tree_->size(); ++n) {
+    node_to_goal_.push_back(BendTree::distance(tree_->node(n), to_));
+  }
 }
 
 void RoadmapSearch::Impl::open_node(std::uint32_t index) {
@@ -170,8 +184,8 @@ inline bool RoadmapSearch::Impl::known_as_near(std::uint32_t bend, double cost) 
   return visit.stamp == stamp_ && visit.cost <= cost;
 }
 
-inline void RoadmapSearch::Impl::reach(std::uint32_t i, std::uint32_t j, double through) {
-  const double on = (to_ - tiles_.bends()[j].position).norm();
+inline void RoadmapSearch::Impl::reach(std::uint32_t i, std::uint32_t j, double through,
+                                       double on) {
   if (through + on >= shorter_) return;
   visits_[j] = {through, i, stamp_};
   open_.push({through + weight_ * on, through, j, Open::reached});
@@ -183,10 +197,10 @@ void RoadmapSearch::Impl::look_around(std::uint32_t i, double cost, const Across
   const Bend& bend = bends[i];
   const double reach2 = reach_ * reach_;
   const Onward onward(bend, in);
-  const auto skip = [&](const BendTree::Node& node) {
-    return onward.misses(node) ||
-           cost + BendTree::distance(node, bend.position) + BendTree::distance(node, to_) >=
-               shorter_ ||
+  const auto skip = [&](std::uint32_t n, double square) {
+    const BendTree::Node& node = tree_->node(n);
+    const double left = shorter_ - cost - node_to_goal_[n];
+    return left <= 0 || square >= left * left || onward.misses(node) ||
            (!node.leaf && between_.hides(bend.position, BendTree::box(node)));
   };
   std::array<double, BendTree::kBendsOfLeaf> squares;
@@ -197,11 +211,11 @@ void RoadmapSearch::Impl::look_around(std::uint32_t i, double cost, const Across
         for (; mask != 0; mask &= mask - 1) {
           const auto k = static_cast<std::uint32_t>(std::countr_zero(mask));
           const std::uint32_t j = first + k;
-          const Vec3& other = bends[j].position;
           const double through = cost + std::sqrt(squares[k]);
-          if (through + (to_ - other).norm() >= shorter_ || j == i || known_as_near(j, through))
+          if (through + bend_to_goal_[j] >= shorter_ || j == i || known_as_near(j, through))
             continue;
-          if (!between_.hits(bend.position, other)) reach(i, j, through);
+          if (!between_.hits(bend.position, bends[j].position))
+            reach(i, j, through, bend_to_goal_[j]);
         }
       });
 }
@@ -237,8 +251,9 @@ void RoadmapSearch::Impl::expand(std::uint32_t i, double cost, const Across& in)
       j = tiles_.target(edges.tile, edge);
       make_room();
     }
-    const double through = cost + (tiles_.bends()[j].position - here).norm();
-    if (!known_as_near(j, through)) reach(i, j, through);
+    const Vec3& there = tiles_.bends()[j].position;
+    const double through = cost + (there - here).norm();
+    if (!known_as_near(j, through)) reach(i, j, through, (to_ - there).norm());
   }
 }
 

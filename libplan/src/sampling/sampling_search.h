@@ -22,6 +22,7 @@ class SamplingSearch {
         options_(options),
         step_(*options.step),
         most_(*options.iterations),
+        region_(region_of(scene, options)),
         random_(options.seed) {}
 
  protected:
@@ -41,10 +42,9 @@ class SamplingSearch {
   }
 
   Vec3 sample_bounds() {
-    const geom::Aabb& bounds = *scene_.free_bounds();
     Vec3 p;
     for (int k = 0; k < 3; ++k) {
-      p[k] = std::min(random_.uniform(bounds.min[k], bounds.max[k]), bounds.max[k]);
+      p[k] = std::min(random_.uniform(region_.min[k], region_.max[k]), region_.max[k]);
     }
     return p;
   }
@@ -103,12 +103,19 @@ class SamplingSearch {
   const Vec3 to_;
   const SamplingOptions& options_;
   const double step_;
-  const std::size_t most_;  // iterations
+  const std::size_t most_;   // iterations
+  const geom::Aabb region_;  // of samples
   geom::SplitMix64 random_;
   SamplingResult result_;
 
  private:
   static constexpr std::size_t kAskStop = 16;  // iterations
+
+  static geom::Aabb region_of(const geom::CollisionScene& scene, const SamplingOptions& options) {
+    const geom::Aabb& bounds = *scene.free_bounds();
+    if (!options.region || !geom::overlap(*options.region, bounds)) return bounds;
+    return {bounds.min.cwiseMax(options.region->min), bounds.max.cwiseMin(options.region->max)};
+  }
 
   std::uint32_t add(const Vec3& p, std::uint32_t parent, std::uint8_t tree, double cost) {
     result_.tree.points.push_back(p);

@@ -100,6 +100,22 @@ TEST_P(CollisionProperty, ABlockerIsAGrownBoxThatIsHitWhereThereIsOne) {
   }
 }
 
+TEST_P(CollisionProperty, BlockersAreAllThatTheSegmentMeets) {
+  const CollisionScene scene = this->scene(1, 0.5);
+  support::Random random(15);
+  std::size_t most = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Segment s = random_segment(random, 250, center());
+    std::vector<std::size_t> expected;
+    for (std::size_t k = 0; k < scene.map().size(); ++k) {
+      if (oracle::segment_hits(s.a, s.b, scene.grown(k))) expected.push_back(k);
+    }
+    ASSERT_EQ(scene.blockers(s.a, s.b), expected) << "case " << i;
+    most = std::max(most, expected.size());
+  }
+  EXPECT_GT(most, 2u);
+}
+
 TEST_P(CollisionProperty, NearestIsTheLowestIndexAtTheSmallestDistance) {
   const Vec3 center = this->center();
   const CollisionScene scene = this->scene(2, 0.5);

@@ -43,6 +43,35 @@ TEST(Bound, OverAWallClosesOnTheTautPath) {
   }
 }
 
+// The wall at one end of a town of 22,500 huts, which no path past the wall comes near.
+TEST(Bound, OnALargeMapLooksOnlyAtWhatShortPathsMayMeet) {
+  const Aabb town{{0, 0, 0}, {2000, 1000, 20}};
+  std::vector<Aabb> boxes = {{{10, 0, 0}, {30, 1000, 10}}};
+  const auto alone = scene_of(boxes, town);
+  for (int i = 0; i < 22500; ++i) {
+    const geom::Vec3 low(200 + 10 * (i % 150), 10 + 6 * (i / 150), 0);
+    boxes.push_back({low, low + geom::Vec3(4, 3, 5)});
+  }
+  const auto scene = scene_of(boxes, town);
+  Bounder bounder(scene);
+  Bounder of_the_wall(alone);
+  const Vec3 from(4, 500, 2);
+  const Vec3 to(36, 500, 2);
+  const double shortest = 2 * std::hypot(6, 8) + 20;
+  for (const double gap : {1e-2, 1e-4}) {
+    const LengthBound bound = bounder.ask(from, to, shortest, {gap});
+    EXPECT_TRUE(bound.closed) << gap;
+    EXPECT_LE(bound.bound, shortest);
+    EXPECT_GE(bound.bound, (1 - 2 * gap) * shortest);
+    EXPECT_EQ(bound.bound, of_the_wall.ask(from, to, shortest, {gap}).bound) << gap;
+  }
+  BoundOptions proved{1e-2};
+  proved.keep_proof = true;  // of the whole map
+  const LengthBound bound = bounder.ask(from, to, shortest, proved);
+  EXPECT_TRUE(bound.closed);
+  EXPECT_TRUE(bound.proof);
+}
+
 void expect_shorter(const geom::CollisionScene& scene, const LengthBound& bound, double length) {
   if (bound.path.empty()) return;
   EXPECT_LT(geom::length(bound.path), length);

@@ -28,7 +28,11 @@ template <class Skip>
 std::vector<int> met_near(const BendTree& tree, std::size_t bends, const Vec3& p, double radius,
                           const Skip& skip) {
   std::vector<int> met(bends);
-  tree.for_leaves_near(p, radius, skip, [&](std::uint32_t first, std::uint32_t count) {
+  const auto skip_node = [&](std::uint32_t i, double square) {
+    EXPECT_LE(square, radius * radius);
+    return skip(tree.node(i));
+  };
+  tree.for_leaves_near(p, radius, skip_node, [&](std::uint32_t first, std::uint32_t count) {
     for (std::uint32_t i = first; i < first + count; ++i) ++met[i];
   });
   return met;
@@ -104,7 +108,8 @@ TEST(BendTree, SkipsWhatIsBelowANode) {
 TEST(BendTree, OfNoBendsIsEmpty) {
   const BendTree tree({});
   EXPECT_TRUE(tree.empty());
-  tree.for_leaves_near({0, 0, 0}, 1e9, kAll, [](std::uint32_t, std::uint32_t) { FAIL(); });
+  const auto none = [](std::uint32_t, double) { return false; };
+  tree.for_leaves_near({0, 0, 0}, 1e9, none, [](std::uint32_t, std::uint32_t) { FAIL(); });
 }
 
 }  // namespace

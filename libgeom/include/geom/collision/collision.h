@@ -82,6 +82,9 @@ class CollisionScene {
   // be any of them, and another one in the next run.
   std::optional<Aabb> blocker(const Vec3& a, const Vec3& b) const;
 
+  // Indices, ascending, of all boxes whose grown boxes meet the closed segment: see hits().
+  std::vector<std::size_t> blockers(const Vec3& a, const Vec3& b) const;
+
   // Inside the bounds at both ends and free of every grown box. False for points outside, at any
   // distance.
   bool free(const Vec3& a, const Vec3& b) const;

@@ -33,9 +33,9 @@ using geom::PathStatus;
 using geom::PathStep;
 
 enum class Quality {
-  fast,    // not pulled taut
-  normal,  // pulled taut
-  best     // the best of up to 4 paths of a roadmap, each pulled taut, and bends closer together
+  fast,    // the first path, not pulled taut
+  normal,  // searched for among bends, and pulled taut
+  best     // among bends closer together; over up to 2 km the best of 4 paths, each pulled taut
 };
 
 inline constexpr geom::Words<Quality, 3> kQualityWords{{
@@ -98,22 +98,30 @@ struct PlanResult {
 // 2. The roadmap, where one is given: up to 8,000 bends from the start on, then 4,000 from the
 //    goal on, then, unless Reach says that there is no way, 20,000 from the start on. With a weight
 //    of 1.02, but for `best`.
-// 3. A* on a lattice, joined to both ends by checked segments; the path is shortened by shortcut().
-//    It tries the caller's, if there is one, then 26-connected ones of 10, 5 and 2.5 m (finer on
-//    maps too small for these) until one finds a path, each worked out only where the search goes.
-//    Where step 4 follows, A* has a weight of 1.02, and shortcut() looks at the path's own points.
-//    A shortened path of more than 1.2 times the straight line is compared with the next lattice's.
-//    Where a lattice has too many nodes to look at, spacings of 4 and 16 times the first are tried.
-//    Once a lattice finds none, Reach says whether there is any way: if not, the goal is
-//    unreachable, at no resolution. A way that no lattice finds goes from cell to cell of free
-//    space; where it is so narrow that rounding closes it, the search is stopped.
-// 4. A* over bends: those of the roadmap where there is one; else those around boxes within 40 m of
-//    that path (80 m for `best`), with a weight of 1.03, from point to point of it over stretches
-//    of 2 km, each begun in the middle of the one before.
-// 5. taut() pulls the result tight.
-// Quality::fast leaves out steps 4 and 5. With PlanOptions::gap, a shorter path that the search for
-// a bound comes upon is taken, by whichever method the first was found; but not where it was to be
-// raw.
+// 3. A chain over or round what stands on the straight line, within half a plane: the shortest of
+//    up to seven, pulled taut.
+// 4. A* on a lattice, joined to both ends by checked segments; the path is shortened by shortcut().
+//    It tries the caller's, if there is one, then 26-connected ones of 20 (where step 5 follows),
+//    10, 5 and 2.5 m (finer on maps too small for these) until one finds a path, each worked out
+//    only where the search goes. Where step 5 follows, A* has a weight of 1.1, and shortcut() looks
+//    at the path's own points. A shortened path of more than 1.2 times the straight line is
+//    compared with the next lattice's. Where a lattice has too many nodes to look at, spacings of 4
+//    and 16 times the first are tried. Once a lattice finds none, Reach says whether there is any
+//    way: if not, the goal is unreachable, at no resolution. A way that no lattice finds goes from
+//    cell to cell of free space; where it is so narrow that rounding closes it, the search is
+//    stopped. Without a lattice of the caller's the step is left out where the chain is at
+//    most 1.01 times the straight line, or 1.2 times over 1,500 m and more.
+// 5. A* over bends, for a path shorter than the shortest of these: over those of the roadmap where
+//    there is one; else over all that such a path may use, around up to 6,000 boxes, or else around
+//    those within 40 m (80 m for `best`) of the path that is known. The weight is 1.05 (1.01 for
+//    `best`). A path of more than 2 km is looked at in stretches of 2 km, each begun in the middle
+//    of the one before; a stretch within 0.02 % of its straight line stays.
+// 6. taut() pulls the result tight.
+// Quality::fast leaves out steps 4 to 6, and takes the shorter of the chain and the shortest of
+// four of RRT-Connect where the chain is more than twice as long as the straight line; where it has
+// neither, it takes step 4. PlanOptions::raw leaves out steps 3, 5 and 6. With PlanOptions::gap, a
+// shorter path that the search for a bound comes upon is taken, by whichever method the first was
+// found; but not where it was to be raw.
 //
 // An edge of a given lattice or roadmap that is blocked on this map throws geom::InputError. The
 // scene and the roadmap must outlive the planner. Threads may plan at once; no answer depends on

@@ -16,13 +16,15 @@ namespace plan {
 // A step of the recipe of kAutomatic (plan.h), or A* alone.
 enum class OwnRoute {
   straight,  // the line between both ends
+  chain,     // over or round what stands on that line, within half a plane
   roadmap,
-  corridor,  // the bends near a lattice's path
+  corridor,  // the bends that a path shorter than a known one may use
   lattice,
   cells  // the chain of free cells that shows that there is a way, or that there is none
 };
-inline constexpr geom::Words<OwnRoute, 5> kOwnRouteWords{{
+inline constexpr geom::Words<OwnRoute, 6> kOwnRouteWords{{
     {OwnRoute::straight, "straight"},
+    {OwnRoute::chain, "chain"},
     {OwnRoute::roadmap, "roadmap"},
     {OwnRoute::corridor, "corridor"},
     {OwnRoute::lattice, "lattice"},

@@ -58,6 +58,9 @@ struct SamplingOptions {
   // Metres, >= 0: the star methods' largest neighbourhood. Absent: fitting_length() of 30 m.
   std::optional<double> radius;
   std::uint64_t seed = 0;
+  // Where samples come from: what this shares with scene.free_bounds(). Absent, or if that is
+  // nothing: all of scene.free_bounds().
+  std::optional<geom::Aabb> region;
   bool straight_first = true;  // whether a free straight line is the answer, and no tree grown
 
   // The star methods end after so many iterations that in all shortened the path by less than
@@ -81,10 +84,10 @@ struct SamplingResult {
 };
 
 // A path from `from` to `to`. scene.free() alone decides on edges, so nothing is sampled along
-// them. Samples come evenly from scene.free_bounds(). Unreachable goals end after the iterations
-// given. Not found, and no tree, where an end is not free (as when it is NaN); two points and no
-// iterations where the ends are equal. Throws geom::InputError for an option that is NaN or out of
-// its range.
+// them. Samples come evenly from scene.free_bounds(), or from the region. Unreachable goals end
+// after the iterations given. Not found, and no tree, where an end is not free (as when it is NaN);
+// two points and no iterations where the ends are equal. Throws geom::InputError for an option that
+// is NaN or out of its range.
 //
 // The neighbourhood of the star methods is min(radius, 2 (V ln n / (pi n))^(1/3)) for n nodes and V
 // the volume of the free bounds: gamma (ln n / n)^(1/d) of the 2011 paper with its

@@ -1,0 +1,25 @@
+#pragma once
+
+// The planner's path before any search.
+
+#include <optional>
+
+#include "step.h"
+
+namespace plan {
+
+struct FirstAnswer {
+  Found found;
+  Route route;
+};
+
+// Over or round what stands on the straight line; by random trees where `fast` would get nothing
+// better. Shortened for `fast`, pulled taut for the others. None where there is none, and for a
+// path that is to be raw. The ends do not see each other.
+std::optional<FirstAnswer> first_answer(const geom::CollisionScene& scene, const Task& task);
+
+// Whether it is so near to shortest that no lattice is asked: a search among bends finds what is
+// left to gain. For `fast`, always.
+bool suffices(const FirstAnswer& first, const Task& task);
+
+}  // namespace plan
