@@ -1,8 +1,12 @@
 #include "run.h"
 
+#include <errno.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <chrono>
+#include <cstdlib>
+#include <exception>
 #include <new>
 #include <sstream>
 
@@ -23,6 +27,23 @@
 
 namespace cli {
 namespace {
+
+// Memory may run out before run_tool() catches: while a tool makes its options, or before main().
+[[noreturn]] void end_without_catch() {
+  try {
+    if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
+  } catch (const std::bad_alloc&) {
+    say(program_invocation_short_name);
+    say(": out of memory\n");
+    _exit(static_cast<int>(Exit::failed));
+  } catch (...) {
+  }
+  __gnu_cxx::__verbose_terminate_handler();
+  std::abort();
+}
+
+// Before the other objects of the program are made.
+[[gnu::constructor(101)]] void catch_from_the_start() { std::set_terminate(end_without_catch); }
 
 // A message is one line, however the names in it are spelt.
 int fail(const CLI::App& app, Exit code, std::string_view message) {

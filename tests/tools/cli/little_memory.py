@@ -112,8 +112,9 @@ def main():
                     enough = middle
                 else:
                     least = middle
+            least = max(LEAST, enough - RANGE)  # with less the system cannot even map the program
             for k in range(limits):
-                attempt(enough - RANGE * k // limits)
+                attempt(enough - (enough - least) * k // limits)
             attempt(MOST)
             assert seen.get("the same"), (title, seen)  # the most is enough
             counts[title] = seen
