@@ -20,7 +20,7 @@ constexpr double kBoxesPerGroup = 512;  // where the whole map fits the budget,
 constexpr double kFewerPerGroup = 128;  // and where groups are built again and again
 
 constexpr double kMostSharedPad = 0.25;  // metres; of larger maps, groups have frames of their own
-constexpr std::size_t kManyBuilt = 32;  // groups: more than one question touches
+constexpr std::size_t kManyBuilt = 32;   // groups: more than one question touches
 constexpr std::size_t kReadBetweenTrims = std::size_t{1} << 22;  // bytes
 
 }  // namespace
