@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/shard/record_output.h"
+#include "geom/shape/polyline.h"
 #include "traj/proof/clearance.h"
 
 namespace checking {

@@ -20,7 +20,7 @@ constexpr double kBoxesPerGroup = 128;         // as many as two levels of nodes
 constexpr std::size_t kMostInOneGroup = 8192;  // of a map that fits the budget
 
 constexpr double kMostSharedPad = 0.25;  // metres; of larger maps, groups have frames of their own
-constexpr std::size_t kManyBuilt = 32;  // groups: more than one question touches
+constexpr std::size_t kManyBuilt = 32;   // groups: more than one question touches
 constexpr std::size_t kReadBetweenTrims = std::size_t{1} << 22;  // bytes
 
 }  // namespace

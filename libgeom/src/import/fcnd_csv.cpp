@@ -12,7 +12,7 @@
 #include <ostream>
 #include <utility>
 
-#include "base/in_order.h"
+#include "geom/base/in_order.h"
 #include "geom/base/rounding.h"
 #include "geom/import/box_format.h"
 #include "geom/text/beginning.h"
