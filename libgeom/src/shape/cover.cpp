@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -20,9 +21,21 @@ constexpr double kLeastSlack = 1e-6;  // metres
 constexpr std::size_t kAny = std::numeric_limits<std::size_t>::max();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+// Of the few that lie beside each other in a slab, quicker than std::sort.
+template <class T, class Less>
+void sort_few(std::vector<T>& list, const Less& less) {
+  if (list.size() > 24) return std::sort(list.begin(), list.end(), less);
+  for (std::size_t i = 1; i < list.size(); ++i) {
+    const T one = list[i];
+    std::size_t k = i;
+    for (; k > 0 && less(one, list[k - 1]); --k) list[k] = list[k - 1];
+    list[k] = one;
+  }
+}
+
 // Those that touch become one; ascending.
 void merge(std::vector<Interval>& list) {
-  std::sort(list.begin(), list.end(), [](const Interval& a, const Interval& b) {
+  sort_few(list, [](const Interval& a, const Interval& b) {
     return a.low != b.low ? a.low < b.low : a.high < b.high;
   });
   std::size_t count = 0;
@@ -40,18 +53,18 @@ void merge(std::vector<Interval>& list) {
 // at.
 class Slabs {
  public:
-  // With `at_corners` a slab that reaches a corner's level ends at one, else as far as it may.
-  Slabs(const Polygon& polygon, double slack, bool at_corners)
-      : slack_(slack),
-        at_corners_(at_corners),
-        gauge_(slack, polygon.holes.size() + 1),
-        winding_(polygon.holes.size() + 1) {
+  Slabs(const Polygon& polygon, double slack)
+      : slack_(slack), gauge_(slack, polygon.holes.size() + 1), winding_(polygon.holes.size() + 1) {
+    std::size_t corners = polygon.outer.size();
+    for (const auto& hole : polygon.holes) corners += hole.size();
+    edges_.reserve(corners);
     add(polygon.outer, 0);
     for (std::size_t i = 0; i < polygon.holes.size(); ++i) {
       add(polygon.holes[i], static_cast<int>(i) + 1);
     }
     std::stable_sort(edges_.begin(), edges_.end(),
                      [](const CoverEdge& a, const CoverEdge& b) { return a.low.y() < b.low.y(); });
+    levels_.reserve(2 * corners);
     for (const CoverEdge& edge : edges_) {
       levels_.push_back(edge.low.y());
       levels_.push_back(edge.high.y());
@@ -60,16 +73,22 @@ class Slabs {
     levels_.erase(std::unique(levels_.begin(), levels_.end()), levels_.end());
   }
 
-  // Ends early, with `most` or more rectangles, where there are not fewer.
-  std::vector<Rectangle> cover(std::size_t most) {
+  // With `at_corners` a slab that reaches a corner's level ends at one, else as far as it may. Ends
+  // early, with `most` or more rectangles, where there are not fewer.
+  std::vector<Rectangle> cover(bool at_corners, std::size_t most) {
+    at_corners_ = at_corners;
+    next_ = 0;
+    level_ = 0;
+    begun_.clear();
     std::vector<Rectangle> out;
     for (double y0 = edges_.empty() ? 0 : levels_.front();
          !edges_.empty() && y0 < levels_.back();) {
+      begin(y0);
       const double y1 = furthest(y0);
       for (const Rectangle& r : rectangles(y0, y1)) out.push_back(r);
       if (out.size() >= most) return out;
-      y0 = y1;
-      pass(y0);
+      y0 = is_straight_ ? cover_straight(y0, y1, out) : y1;
+      if (out.size() >= most) return out;
     }
     add_flat_edges(out);
     return out;
@@ -79,7 +98,7 @@ class Slabs {
   void add(const std::vector<Vec2>& ring, int index) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Vec2& a = ring[i];
-      const Vec2& b = ring[(i + 1) % ring.size()];
+      const Vec2& b = ring[i + 1 < ring.size() ? i + 1 : 0];
       const bool up = a.y() <= b.y();
       edges_.push_back({up ? a : b, up ? b : a, index, up ? 1 : -1});
     }
@@ -106,20 +125,29 @@ class Slabs {
     }
   }
 
-  // Forgets the edges that end so far below y0 that no slab from there on asks for them.
-  void pass(double y0) {
+  // A slab from y0: forgets the edges that end so far below that no slab from there on asks for
+  // them, and gives the gauge those that begin below or near.
+  void begin(double y0) {
     while (next_ < edges_.size() && edges_[next_].low.y() <= y0) begun_.push_back(&edges_[next_++]);
-    std::erase_if(begun_, [&](const CoverEdge* edge) { return edge->high.y() < y0 - 2 * slack_; });
+    while (level_ + 1 < levels_.size() && levels_[level_] <= y0) ++level_;
+    gauge_.begin(y0, y0);
+    std::size_t kept = 0;
+    for (const CoverEdge* edge : begun_) {
+      if (edge->high.y() < y0 - 1.5 * slack_) continue;
+      begun_[kept++] = edge;
+      gauge_.add(*edge);
+    }
+    begun_.resize(kept);
+    given_ = next_;
   }
 
-  // Calls f(edge) for each that meets [y0, y1].
-  template <class F>
-  void for_each_in(double y0, double y1, const F& f) const {
-    for (const CoverEdge* edge : begun_) {
-      if (edge->high.y() >= y0 && edge->low.y() <= y1) f(*edge);
-    }
-    for (std::size_t i = next_; i < edges_.size() && edges_[i].low.y() <= y1; ++i) {
-      if (edges_[i].high.y() >= y0) f(edges_[i]);
+  // A slab up to y1: gives the gauge what else may be near, and takes back what is further up.
+  void reach_to(double y1) {
+    gauge_.reach_to(y1);
+    const double far = y1 + 1.5 * slack_;
+    for (; given_ > next_ && edges_[given_ - 1].low.y() > far; --given_) gauge_.take_back();
+    for (; given_ < edges_.size() && edges_[given_].low.y() <= far; ++given_) {
+      gauge_.add(edges_[given_]);
     }
   }
 
@@ -127,17 +155,18 @@ class Slabs {
   // between them that lie inside. An upright line through a gap meets no edge in the slab, so it is
   // inside as a whole or outside as a whole, and its middle tells; edges may cross as they like.
   const std::vector<Rectangle>& rectangles(double y0, double y1) {
+    reach_to(y1);
     const double middle = 0.5 * (y0 + y1);
     ranges_.clear();
     across_.clear();
-    for_each_in(y0, y1, [&](const CoverEdge& edge) {
-      if (!(edge.high.y() > y0 && edge.low.y() < y1)) return;
-      ranges_.push_back(edge.range(y0, y1));
-      if (edge.low.y() <= middle && edge.high.y() > middle) {
-        across_.emplace_back(edge.x_at(middle), &edge);
+    for (const CoverEdge* edge : gauge_.edges()) {
+      if (!(edge->high.y() > y0 && edge->low.y() < y1)) continue;
+      ranges_.push_back(edge->range(y0, y1));
+      if (edge->low.y() <= middle && edge->high.y() > middle) {
+        across_.emplace_back(edge->x_at(middle), edge);
       }
-    });
-    std::sort(across_.begin(), across_.end());
+    }
+    sort_few(across_, std::less<>());
     winding_.clear();
     for (std::size_t i = 0; i + 1 < across_.size(); ++i) {
       winding_.count(*across_[i].second);
@@ -153,26 +182,35 @@ class Slabs {
     return rectangles_;
   }
 
-  // How far the slab from y0 may reach. Each x of its rectangles is that of a point of the polygon
-  // in the slab, so one no higher than the slack is always right; a higher one is looked at.
+  // The highest slab from y0 that is surely valid without a look. Each x of its rectangles is that
+  // of a point of the polygon in the slab, so one no higher than the slack is always right.
+  double surely_valid(double y0) const {
+    return std::min(levels_.back(), y0 + slack_ - 4e-9 - 1e-14 * std::abs(y0));
+  }
+
+  // How much more than the highest slab between two corners is surely too much.
+  double too_much() const { return slack_ / 8; }
+
+  // How far the slab from y0 may reach.
   double furthest(double y0) {
     const double top = levels_.back();
-    const double sure = std::min(top, y0 + slack_ - 4e-9 - 1e-14 * std::abs(y0));
+    const double sure = surely_valid(y0);
     // Between corners nothing has to be tried, but that a little more is too far.
-    const double straight = std::max(sure, y0 + height_between_corners(y0));
-    const double more = straight + slack_ / 8;
-    if (more < *std::upper_bound(levels_.begin(), levels_.end() - 1, y0) && !valid(y0, more)) {
-      return straight;
-    }
+    height_ = height_between_corners(y0);
+    const double straight = std::max(sure, y0 + height_);
+    const double more = straight + too_much();
+    is_straight_ = more < levels_[level_] && !valid(y0, more);
+    if (is_straight_) return straight;
     double good = sure;
     double bad = kInfinity;
-    for (auto y1 = std::upper_bound(levels_.begin(), levels_.end(), sure); y1 != levels_.end();
-         ++y1) {
-      if (!valid(y0, *y1)) {
-        bad = *y1;
+    std::size_t level = level_;  // the first above `sure`
+    while (level < levels_.size() && levels_[level] <= sure) ++level;
+    for (; level < levels_.size(); ++level) {
+      if (!valid(y0, levels_[level])) {
+        bad = levels_[level];
         break;
       }
-      good = *y1;
+      good = levels_[level];
     }
     if (good >= top || (at_corners_ && good > sure)) return good;
     bad = std::min(bad, good + 8 * slack_);
@@ -184,22 +222,59 @@ class Slabs {
     return good;
   }
 
+  // Slabs like that from y0 to y1, which is the highest between two corners, as long as a look at
+  // each would find the same. Returns where the last one ends.
+  double cover_straight(double y0, double y1, std::vector<Rectangle>& out) {
+    const double level = levels_[level_];
+    const double more = y1 + too_much();
+    reach_to(level);
+    gauge_.reach_to(more);
+    if (!gauge_.refuses_further(level - more)) return y1;
+    for (y0 = y1;; y0 = y1) {
+      y1 = std::max(surely_valid(y0), y0 + height_);
+      if (!(y1 + too_much() < level)) return y0;
+      if (!add_straight(y0, y1, out)) {
+        for (const Rectangle& r : rectangles(y0, y1)) out.push_back(r);
+      }
+    }
+  }
+
+  // The rectangles of a slab in which no edge ends, where the edges' own ranges of x do not meet.
+  bool add_straight(double y0, double y1, std::vector<Rectangle>& out) {
+    spans_.clear();
+    for (const CoverEdge* edge : begun_) {
+      if (edge->high.y() > y0) spans_.push_back({edge->range(y0, y1), edge});
+    }
+    sort_few(spans_, [](const Span& a, const Span& b) { return a.x.low < b.x.low; });
+    for (std::size_t i = 0; i + 1 < spans_.size(); ++i) {
+      if (spans_[i].x.high >= spans_[i + 1].x.low) return false;
+    }
+    winding_.clear();
+    const double low = outward(y0, -1);
+    const double high = outward(y1, 1);
+    for (std::size_t i = 0, first = 0; i < spans_.size(); ++i) {
+      winding_.count(*spans_[i].edge);
+      if (i + 1 < spans_.size() && (i % 2 == 0 || winding_.inside())) continue;
+      out.push_back(
+          {{outward(spans_[first].x.low, -1), low}, {outward(spans_[i].x.high, 1), high}});
+      first = i + 1;
+    }
+    return true;
+  }
+
   // How high a slab from y0 may be in which no edge ends. What an edge bounds there has it as its
   // diagonal, and the two other corners are furthest from it: height times run over length.
   double height_between_corners(double y0) const {
     double out = kInfinity;
-    for_each_in(y0, y0, [&](const CoverEdge& edge) {
-      const double run = std::abs(edge.step.x());
-      if (edge.high.y() > y0 && run > 0) out = std::min(out, std::sqrt(edge.squared) / run);
-    });
+    for (const CoverEdge* edge : begun_) {
+      if (edge->high.y() > y0) out = std::min(out, edge->length_over_run);
+    }
     return SlackGauge::kSurelyNear * slack_ * out;
   }
 
   // Whether the slab's rectangles stay within the slack.
   bool valid(double y0, double y1) {
-    gauge_.begin(y0, y1);
-    for_each_in(y0 - 1.5 * slack_, y1 + 1.5 * slack_,
-                [&](const CoverEdge& edge) { gauge_.add(edge); });
+    reach_to(y1);
     if (const auto clear = gauge_.clear_case()) return *clear;
     for (const Rectangle& r : rectangles(y0, y1)) {
       if (!gauge_.allows(r)) return false;
@@ -207,15 +282,25 @@ class Slabs {
     return true;
   }
 
+  struct Span {
+    Interval x;
+    const CoverEdge* edge;
+  };
+
   double slack_;
-  bool at_corners_;
+  bool at_corners_ = true;
   SlackGauge gauge_;
   Winding winding_;
-  std::vector<CoverEdge> edges_;         // by their lower end
-  std::size_t next_ = 0;                 // the first edge that begins above the slab's lower end
-  std::vector<const CoverEdge*> begun_;  // those before it that are still near
-  std::vector<double> levels_;           // the y of all corners, ascending
+  std::vector<CoverEdge> edges_;  // by their lower end
+  std::vector<double> levels_;    // the y of all corners, ascending
   // Of the slab that is looked at.
+  std::size_t level_ = 0;                // the first above it, or the last
+  std::size_t next_ = 0;                 // the first edge that begins above the slab's lower end
+  std::size_t given_ = 0;                // the first that the gauge does not know
+  std::vector<const CoverEdge*> begun_;  // those before it that are still near
+  bool is_straight_ = false;             // between two corners, and as high as it may be there
+  double height_ = 0;                    // that one may have between two corners
+  std::vector<Span> spans_;
   std::vector<Interval> ranges_;
   std::vector<std::pair<double, const CoverEdge*>> across_;
   std::vector<Rectangle> rectangles_;
@@ -389,14 +474,16 @@ std::vector<Rectangle> cover(const Polygon& polygon, double slack) {
   if (const auto one = one_rectangle(polygon, slack)) return {*one};
   const Polygon turned = transposed(polygon);
   if (auto pieces = long_pieces(polygon, turned, slack); !pieces.empty()) return pieces;
-  std::vector<Rectangle> best = Slabs(polygon, slack, true).cover(kAny);
+  Slabs along(polygon, slack);
+  std::vector<Rectangle> best = along.cover(true, kAny);
   const auto consider = [&](std::vector<Rectangle> other) {
     if (other.size() < best.size()) best = std::move(other);
   };
   if (best.size() <= 1) return best;
-  consider(Slabs(polygon, slack, false).cover(best.size()));
+  consider(along.cover(false, best.size()));
+  Slabs upright(turned, slack);
   for (const bool at_corners : {true, false}) {
-    std::vector<Rectangle> across = Slabs(turned, slack, at_corners).cover(best.size());
+    std::vector<Rectangle> across = upright.cover(at_corners, best.size());
     for (Rectangle& r : across) {
       std::swap(r.min.x(), r.min.y());
       std::swap(r.max.x(), r.max.y());

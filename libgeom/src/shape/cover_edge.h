@@ -3,6 +3,7 @@
 // The edges of a polygon that is covered, and on which side of them a point is.
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -33,6 +34,8 @@ struct CoverEdge {
   double squared = step.squaredNorm();
   double left = std::min(low.x(), high.x());
   double right = std::max(low.x(), high.x());
+  // Its length over its run, which is how high a slab may be for each metre of slack.
+  double length_over_run = std::sqrt(squared) / std::abs(step.x());
 
   double x_at(double y) const {
     if (high.y() == low.y()) return low.x();

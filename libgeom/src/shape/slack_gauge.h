@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -27,16 +28,33 @@ class SlackGauge {
   // Forgets the edges of the slab before.
   void begin(double y0, double y1);
   void add(const CoverEdge& edge) { near_.push_back(&edge); }
+  void take_back() { near_.pop_back(); }  // the edge that was added last
+  // The slab from the same height up to another one; the edges stay.
+  void reach_to(double y1) { y1_ = y1; }
+  std::span<const CoverEdge* const> edges() const { return near_; }
+
+  // Whether the corner that refused the slab surely refuses it wherever it is moved up by as much
+  // or less. Asks the edges that were added, which must be all near any of those slabs.
+  bool refuses_further(double rise);
 
   // What allows() would say of all rectangles of the slab, where that is no close decision. Their
   // points are within the ranges of edges, or inside.
   std::optional<bool> clear_case();
 
-  // Whether the rectangle, a part of the slab, stays within the slack of the polygon. After
-  // clear_case().
+  // Whether the rectangle, one that covers a part of the slab, stays within the slack of the
+  // polygon. After clear_case().
   bool allows(const Rectangle& r);
 
  private:
+  // What is not surely within the slack of an edge: where one corner alone of what the edge bounds
+  // is further, a place there.
+  struct Unclear {
+    Rectangle place;
+    const CoverEdge* edge = nullptr;
+    std::size_t corner = 0;  // where there is an edge
+    bool close = false;      // the corner is near no other edge surely, and not inside
+  };
+
   bool meets(const CoverEdge& edge) const { return edge.high.y() > y0_ && edge.low.y() < y1_; }
   // Whether what has this x is surely too far from it. By a comparison alone.
   bool out_of_reach(const CoverEdge& edge, double x) const {
@@ -45,13 +63,18 @@ class SlackGauge {
   Rectangle around(const CoverEdge& edge) const;
   bool refuses_again();
   bool look_at(const CoverEdge& edge);
-  void add_unclear(const Rectangle& r, const CoverEdge& edge);
-  std::optional<bool> clear_case(const Rectangle& r);
+  void add_unclear(const Rectangle& r, const CoverEdge& edge, unsigned close);
+  void keep_unclear(const Unclear& unclear);
+  bool settle(const Rectangle& r);
   bool is_near(double squared_reach, const Vec2& p) const;
   bool beside(const Rectangle& r, const CoverEdge& edge) const;
   bool beside_any(const Rectangle& r) const;
+  bool within_halves(const Rectangle& r, bool middle_inside);
   bool within_bands(const Rectangle& r);
   bool touches_unclear(const Rectangle& r) const;
+  void settle_corners(const Rectangle& r);
+  bool is_settled(const Unclear& unclear, const Rectangle& r) const;
+  bool allows_parts(const Rectangle& r);
   double to_edge(const Vec2& p, double enough) const;
   bool is_inside(const Vec2& p);
   bool clear_of_edges(const Rectangle& r) const;
@@ -63,8 +86,9 @@ class SlackGauge {
   double y0_ = 0;
   double y1_ = 0;
   std::vector<const CoverEdge*> near_;
-  std::vector<Rectangle> unclear_;  // what is not surely within the slack of an edge
-  bool close_ = false;              // whether a corner around an edge is
+  std::vector<Unclear> unclear_;
+  std::vector<Unclear> found_;  // of the slab that is looked at, before some are settled
+  double unclear_size_ = 0;     // the longest side of one of them
   // The corner that refused the last slab refuses the next most often.
   const CoverEdge* refusing_ = nullptr;
   std::size_t refusing_corner_ = 0;

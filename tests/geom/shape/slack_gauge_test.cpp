@@ -28,6 +28,7 @@ class Gauged {
   }
 
   bool allows(const Rectangle& r) { return gauge_.allows(r); }
+  bool refuses_further(double rise) { return gauge_.refuses_further(rise); }
 
   double furthest(const Rectangle& r) const { return oracle::furthest_outside(polygon_, r, 1e-4); }
 
@@ -79,7 +80,7 @@ TEST(SlackGauge, AllowsNoRectangleThatReachesFurtherThanTheSlack) {
   int refused = 0;
   for (int i = 0; i < 3000; ++i) {
     Polygon star;
-    const int corners = 3 + random.below(i % 50 == 0 ? 60 : 9);  // more than 32: halving alone
+    const int corners = 3 + random.below(i % 50 == 0 ? 120 : 9);  // more than 64: halving alone
     for (int k = 0; k < corners; ++k) {
       const double angle = 2 * M_PI * k / corners;
       star.outer.push_back(random.uniform(2, 9) * Vec2(std::cos(angle), std::sin(angle)));
@@ -112,6 +113,28 @@ TEST(SlackGauge, AllowsNoRectangleThatReachesFurtherThanTheSlack) {
   }
   EXPECT_GT(allowed, 20);
   EXPECT_GT(refused, 20);
+}
+
+TEST(SlackGauge, RefusesFurtherWhatItRefusesAtEachHeight) {
+  support::Random random(8);
+  std::size_t further = 0;
+  for (int k = 0; k < 2000; ++k) {
+    Polygon polygon;
+    for (int i = 0; i < 3 + k % 4; ++i) {
+      polygon.outer.push_back({random.uniform(0, 20), random.uniform(0, 20)});
+    }
+    Gauged gauged(polygon, 1);
+    const double y0 = random.uniform(0, 18);
+    const double y1 = y0 + random.uniform(0.5, 3);
+    const double rise = random.uniform(0, 5);
+    if (gauged.clear_case(y0, y1) != false || !gauged.refuses_further(rise)) continue;
+    ++further;
+    for (int i = 0; i <= 10; ++i) {
+      EXPECT_EQ(gauged.clear_case(y0 + 0.1 * i * rise, y1 + 0.1 * i * rise), false)
+          << "case " << k << ", moved up by " << 0.1 * i * rise;
+    }
+  }
+  EXPECT_GT(further, 100u);
 }
 
 }  // namespace
