@@ -3,16 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "cover_slope.h"
 #include "geom/shape/cover.h"
+#include "held_parts.h"
+#include "held_within.h"
 
 namespace geom {
 namespace {
 
-constexpr double kMostParts = 1e6;  // of one stretch between two corners
+constexpr double kMostParts = 1e6;     // of one stretch between two corners
+constexpr double kTopRounding = 1e-9;  // metres: of the height between corners
 
-// A stretch along the surface, and the range of its top.
+// Some of the surface, from one place along it to another, and the range of its top.
 struct Part {
   double from;
   double to;
@@ -20,35 +24,59 @@ struct Part {
   double high;
 };
 
+// Of two that follow each other.
+Part joined(const Part& first, const Part& second) {
+  return {first.from, second.to, std::min(first.low, second.low),
+          std::max(first.high, second.high)};
+}
+
+// What lies between two neighbouring corners, cut into parts where its top rises.
+struct Stretch {
+  double from;
+  double to;
+  Vec2 top;  // at both ends
+  double parts;
+
+  double height(double k) const { return top.x() + k / parts * (top.y() - top.x()); }
+  double place(double k) const { return k == parts ? to : from + k / parts * (to - from); }
+
+  // Those from `first` up to `last`, as one.
+  Part part(std::size_t first, std::size_t last) const {
+    const auto i = static_cast<double>(first);
+    const auto j = static_cast<double>(last);
+    const double a = height(i);
+    const double b = height(j);
+    return {place(i), place(j), std::min(a, b), std::max(a, b)};
+  }
+};
+
 class UprightCover {
  public:
-  UprightCover(const Footprint& footprint, const PlaneFit& plane, double slack)
+  UprightCover(const Footprint& footprint, const PlaneFit& plane, double slack,
+               const BoxRuns& others)
       : footprint_(footprint), plane_(plane), slack_(slack) {
     add_ring(footprint.polygon.outer);
     for (const auto& hole : footprint.polygon.holes) add_ring(hole);
     for (const auto& [a, b] : edges_) places_.push_back(a.x());
     std::sort(places_.begin(), places_.end());
     places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
+    near_ = others.as_high_as(
+        reach_of(footprint_of({places_.front(), places_.back(), plane_.low, plane_.low})));
   }
 
-  std::vector<Aabb> cover(const std::function<bool(const Footprint&)>& held) const {
-    std::vector<Aabb> out;
-    std::vector<Part> run;  // of parts that follow each other and are not held
-    for (const Part& part : parts()) {
-      if (held(footprint_of(part, part.high))) {
-        add(run, out);
-        run.clear();
-        continue;
-      }
-      run.push_back(part);
-      if (!keeps_slack(run)) {
-        run.pop_back();
-        add(run, out);
-        run = {part};
-      }
+  std::vector<Aabb> cover() {
+    if (places_.size() < 2) {
+      cover_stretch({places_.front(), places_.front(), Vec2::Constant(plane_.high), 1});
     }
-    add(run, out);
-    return out;
+    const double rise = overlap_of(slack_) / 2;
+    for (std::size_t i = 0; i + 1 < places_.size(); ++i) {
+      const Vec2 top = top_over(places_[i], places_[i + 1]);
+      if (top.x() == -std::numeric_limits<double>::infinity()) continue;
+      const double n = std::clamp(std::ceil(std::abs(top.y() - top.x()) / rise), 1.0, kMostParts);
+      cover_stretch({places_[i], places_[i + 1], top, n});
+    }
+    end_run();
+    return std::move(boxes_);
   }
 
  private:
@@ -73,31 +101,6 @@ class UprightCover {
     return a.y() + t * (b.y() - a.y());
   }
 
-  // The highest edges over each stretch between neighbouring corners, cut where they rise.
-  std::vector<Part> parts() const {
-    std::vector<Part> out;
-    if (places_.size() < 2) {
-      out.push_back({places_.front(), places_.front(), plane_.high, plane_.high});
-      return out;
-    }
-    const double rise = overlap_of(slack_) / 2;
-    for (std::size_t i = 0; i + 1 < places_.size(); ++i) {
-      const double from = places_[i];
-      const double to = places_[i + 1];
-      const Vec2 top = top_over(from, to);
-      if (top.x() == -std::numeric_limits<double>::infinity()) continue;
-      const double n = std::clamp(std::ceil(std::abs(top.y() - top.x()) / rise), 1.0, kMostParts);
-      for (double k = 0; k < n; ++k) {
-        const auto height = [&](double t) { return top.x() + t * (top.y() - top.x()); };
-        const auto place = [&](double t) { return t == 1 ? to : from + t * (to - from); };
-        const double a = height(k / n);
-        const double b = height((k + 1) / n);
-        out.push_back({place(k / n), place((k + 1) / n), std::min(a, b), std::max(a, b)});
-      }
-    }
-    return out;
-  }
-
   // At both ends of a stretch that no corner is within: at least the height of all edges there.
   Vec2 top_over(double from, double to) const {
     Vec2 top = Vec2::Constant(-std::numeric_limits<double>::infinity());
@@ -108,27 +111,74 @@ class UprightCover {
     return top;
   }
 
-  Footprint footprint_of(const Part& part, double top) const {
-    const auto at = [&](double place, double aside) {
-      return Vec2(plane_.centre + plane_.along * place + plane_.across * aside);
-    };
-    Footprint out;
-    out.polygon.outer = {at(part.from, plane_.across_low), at(part.to, plane_.across_low),
-                         at(part.to, plane_.across_high), at(part.from, plane_.across_high)};
-    out.bottom = footprint_.bottom;
-    // Rounding of the height between corners.
-    out.top = std::min(plane_.high, top + 1e-9);
-    return out;
+  Vec2 at(double place, double aside) const {
+    return plane_.centre + plane_.along * place + plane_.across * aside;
   }
 
-  static Part joined(const std::vector<Part>& run) {
-    Part out = run.front();
-    for (const Part& part : run) {
-      out.to = part.to;
-      out.low = std::min(out.low, part.low);
-      out.high = std::max(out.high, part.high);
+  WallStretch in_plan(const Stretch& s) const {
+    const auto end = [&](double place, double top) {
+      return WallStretch::End{at(place, plane_.across_low), at(place, plane_.across_high), top};
+    };
+    return {end(s.from, s.top.x()), end(s.to, s.top.y()), footprint_.bottom};
+  }
+
+  // What others do not hold becomes runs of parts that follow each other.
+  void cover_stretch(const Stretch& stretch) {
+    const auto count = static_cast<std::size_t>(stretch.parts);
+    const std::vector<Held> held = held_parts(in_plan(stretch), count, kTopRounding, near_);
+    for (std::size_t i = 0; i < count;) {
+      std::size_t end = i + 1;
+      if (held[i] != Held::perhaps) {
+        while (end < count && held[end] == held[i]) ++end;
+      }
+      const bool is_held =
+          held[i] == Held::yes ||
+          (held[i] == Held::perhaps && is_held_(footprint_of(stretch.part(i, end)), near_));
+      is_held ? end_run() : add_to_run(stretch, i, end);
+      i = end;
     }
-    return out;
+  }
+
+  void add_to_run(const Stretch& stretch, std::size_t first, std::size_t last) {
+    while (first < last) {
+      const std::size_t fit = fitting(stretch, first, last);
+      if (fit == first) {
+        end_run();
+        run_ = stretch.part(first, first + 1);
+        ++first;
+      } else {
+        run_ = joined(*run_, stretch.part(first, fit));
+        first = fit;
+      }
+    }
+  }
+
+  // Up to where parts from `first` on fit into the run: more rise more.
+  std::size_t fitting(const Stretch& stretch, std::size_t first, std::size_t last) const {
+    if (!run_ || run_->to != stretch.part(first, first + 1).from) return first;
+    const auto fits = [&](std::size_t end) {
+      return stray(joined(*run_, stretch.part(first, end))) <= slack_ / 2;
+    };
+    std::size_t good = first;
+    std::size_t step = 1;
+    while (good < last && fits(std::min(last, good + step))) {
+      good = std::min(last, good + step);
+      step *= 2;
+    }
+    for (std::size_t bad = std::min(last, good + step); good + 1 < bad;) {
+      const std::size_t middle = good + (bad - good) / 2;
+      (fits(middle) ? good : bad) = middle;
+    }
+    return good;
+  }
+
+  // Up to its highest; until the next one is asked for.
+  const Footprint& footprint_of(const Part& part) {
+    piece_.polygon.outer = {at(part.from, plane_.across_low), at(part.to, plane_.across_low),
+                            at(part.to, plane_.across_high), at(part.from, plane_.across_high)};
+    piece_.bottom = footprint_.bottom;
+    piece_.top = std::min(plane_.high, part.high + kTopRounding);
+    return piece_;
   }
 
   // How far a point over the part, below its highest, may be from what is below the surface: beside
@@ -137,18 +187,13 @@ class UprightCover {
     return std::hypot(plane_.thickness(), std::min(part.to - part.from, part.high - part.low));
   }
 
-  bool keeps_slack(const std::vector<Part>& run) const {
-    return run.size() == 1 ||
-           (run[run.size() - 2].to == run.back().from && stray(joined(run)) <= slack_ / 2);
-  }
-
-  void add(const std::vector<Part>& run, std::vector<Aabb>& out) const {
-    if (run.empty()) return;
-    const Part part = joined(run);
-    const Footprint piece = footprint_of(part, part.high);
-    for (const Rectangle& r : geom::cover(piece.polygon, slack_ - stray(part) - 4e-9)) {
-      out.push_back({{r.min.x(), r.min.y(), piece.bottom}, {r.max.x(), r.max.y(), piece.top}});
+  void end_run() {
+    if (!run_) return;
+    const Footprint& piece = footprint_of(*run_);
+    for (const Rectangle& r : geom::cover(piece.polygon, slack_ - stray(*run_) - 4e-9)) {
+      boxes_.push_back({{r.min.x(), r.min.y(), piece.bottom}, {r.max.x(), r.max.y(), piece.top}});
     }
+    run_.reset();
   }
 
   const Footprint& footprint_;
@@ -157,13 +202,18 @@ class UprightCover {
   std::size_t first_ = 0;  // corner of the ring that is added next
   std::vector<std::pair<Vec2, Vec2>> edges_;
   std::vector<double> places_;
+  std::vector<Aabb> near_;  // of the other boxes
+  HeldWithin is_held_;
+  std::optional<Part> run_;  // of parts that follow each other and are not held
+  Footprint piece_;
+  std::vector<Aabb> boxes_;
 };
 
 }  // namespace
 
 std::vector<Aabb> cover_upright(const Footprint& footprint, const PlaneFit& plane, double slack,
-                                const std::function<bool(const Footprint&)>& held) {
-  return UprightCover(footprint, plane, slack).cover(held);
+                                const BoxRuns& others) {
+  return UprightCover(footprint, plane, slack, others).cover();
 }
 
 }  // namespace geom

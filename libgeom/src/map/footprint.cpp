@@ -1,122 +1,16 @@
 #include "geom/map/footprint.h"
 
 #include <algorithm>
-#include <optional>
 
+#include "box_runs.h"
 #include "cover_slope.h"
 #include "cover_upright.h"
 #include "geom/base/parallel.h"
-#include "geom/map/box_index.h"
 #include "geom/shape/cover.h"
+#include "held_within.h"
 
 namespace geom {
 namespace {
-
-// Whether the wall over the segment lies within the boxes. Rounding may say no, never a wrong yes
-// by more than the 1e-9 m that cover() rounds outward.
-bool wall_covered(const Vec2& a, const Vec2& b, const Footprint& f, std::span<const Aabb> boxes) {
-  const Vec3 from(a.x(), a.y(), f.bottom);
-  const Vec3 to(b.x(), b.y(), f.bottom);
-  std::vector<SegmentPart> parts;
-  for (const Aabb& box : boxes) {
-    if (box.min.z() > f.bottom || box.max.z() < f.top) continue;
-    if (const auto part = clip(from, to, box)) parts.push_back(*part);
-  }
-  std::sort(parts.begin(), parts.end(),
-            [](const SegmentPart& s, const SegmentPart& t) { return s.from < t.from; });
-  double reached = 0;
-  for (const SegmentPart& part : parts) {
-    if (part.from > reached) return false;
-    reached = std::max(reached, part.to);
-  }
-  return !parts.empty() && reached >= 1;
-}
-
-constexpr std::size_t kMostGapBoxes = 1000;
-
-// Those that reach as far down and up as the footprint, and may touch it in plan.
-std::vector<Aabb> as_high(std::span<const Aabb> boxes, const Footprint& f, const Vec2& low,
-                          const Vec2& high) {
-  std::vector<Aabb> out;
-  for (const Aabb& box : boxes) {
-    if (box.min.z() <= f.bottom && box.max.z() >= f.top && box.min.x() <= high.x() &&
-        box.max.x() >= low.x() && box.min.y() <= high.y() && box.max.y() >= low.y()) {
-      out.push_back(box);
-    }
-  }
-  return out;
-}
-
-struct Row {
-  double y;
-  double low;  // x
-  double high;
-};
-
-// Whether the polygon holds the middle of a place in the row that none of the boxes covers; these
-// are in the order of their lower x.
-bool has_gap(const Polygon& polygon, const std::vector<const Aabb*>& boxes, const Row& row) {
-  const auto is_gap = [&](double from, double to) {
-    return from < to && contains(polygon, {0.5 * (from + to), row.y});
-  };
-  double reached = row.low;
-  for (const Aabb* box : boxes) {
-    if (is_gap(reached, std::min(box->min.x(), row.high))) return true;
-    reached = std::max(reached, box->max.x());
-  }
-  return is_gap(reached, row.high);
-}
-
-// Whether the polygon, whose edges lie within the boxes, holds a place that none of them does. The
-// boxes' sides cut the rectangle around it into rows. No edge enters what no box covers between two
-// boxes of a row, so that lies inside the polygon as a whole or outside as a whole.
-bool encloses_gap(const Footprint& f, std::span<const Aabb> boxes) {
-  Vec2 low = f.polygon.outer.front();
-  Vec2 high = low;
-  for (const Vec2& p : f.polygon.outer) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  std::vector<Aabb> near = as_high(boxes, f, low, high);
-  if (near.size() > kMostGapBoxes) return true;  // not worth looking: it gets boxes of its own
-  std::vector<double> rows = {low.y(), high.y()};
-  for (const Aabb& box : near) {
-    for (const double y : {box.min.y(), box.max.y()}) {
-      if (y > low.y() && y < high.y()) rows.push_back(y);
-    }
-  }
-  std::sort(rows.begin(), rows.end());
-  std::sort(near.begin(), near.end(),
-            [](const Aabb& a, const Aabb& b) { return a.min.y() < b.min.y(); });
-  std::vector<const Aabb*> in_row;  // by their lower x
-  auto next = near.begin();
-  for (std::size_t j = 0; j + 1 < rows.size(); ++j) {
-    if (rows[j] == rows[j + 1]) continue;
-    std::erase_if(in_row, [&](const Aabb* box) { return box->max.y() <= rows[j]; });
-    for (; next != near.end() && next->min.y() <= rows[j]; ++next) {
-      if (next->max.y() <= rows[j]) continue;
-      in_row.insert(
-          std::upper_bound(in_row.begin(), in_row.end(), &*next,
-                           [](const Aabb* a, const Aabb* b) { return a->min.x() < b->min.x(); }),
-          &*next);
-    }
-    const double middle = 0.5 * (rows[j] + rows[j + 1]);
-    if (has_gap(f.polygon, in_row, {middle, low.x(), high.x()})) return true;
-  }
-  return false;
-}
-
-bool covered(const Footprint& f, std::span<const Aabb> boxes) {
-  const auto ring_covered = [&](const std::vector<Vec2>& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      if (!wall_covered(ring[i], ring[(i + 1) % ring.size()], f, boxes)) return false;
-    }
-    return true;
-  };
-  return ring_covered(f.polygon.outer) &&
-         std::all_of(f.polygon.holes.begin(), f.polygon.holes.end(), ring_covered) &&
-         !encloses_gap(f, boxes);
-}
 
 // A surface of a feature, and what it is taken as.
 struct Surface {
@@ -159,62 +53,33 @@ class FeatureCover {
   }
 
   std::vector<Aabb> boxes() {
-    std::size_t done = 0;
     for (const bool likely : {false, true}) {
       for (const Surface& s : surfaces_) {
-        if (s.likely_covered() != likely) continue;
-        add(s);
-        ++done;
+        if (s.likely_covered() == likely) add(s);
       }
-      if (!likely && done < surfaces_.size()) look_up();
     }
-    return std::move(boxes_);
+    return boxes_.take();
   }
 
  private:
   void add(const Surface& s) {
     const Footprint& f = *s.footprint;
     if (s.upright) {
-      append(
-          cover_upright(f, s.plane, slack_, [&](const Footprint& part) { return is_held(part); }));
+      boxes_.add(cover_upright(f, s.plane, slack_, boxes_));
     } else if (s.slopes) {
-      append(cover_slope(f, s.plane, slack_, margin_));
+      boxes_.add(cover_slope(f, s.plane, slack_, margin_));
     } else if (!s.likely_covered() || f.bulge > 0 || !is_held(f)) {
-      append(flat_boxes(f, slack_, margin_));
+      boxes_.add(flat_boxes(f, slack_, margin_));
     }
   }
 
-  // Once the roofs are covered.
-  bool is_held(const Footprint& f) {
-    constexpr double kPad = 1e-6;  // more than coordinates are rounded
-    Aabb region{Vec3::Constant(-kLargestCoordinate), Vec3::Constant(kLargestCoordinate)};
-    region.min.head<2>() = region.max.head<2>() = f.polygon.outer.front();
-    for (const Vec2& p : f.polygon.outer) {
-      region.min.head<2>() = region.min.head<2>().cwiseMin(p - Vec2::Constant(kPad));
-      region.max.head<2>() = region.max.head<2>().cwiseMax(p + Vec2::Constant(kPad));
-    }
-    std::vector<Aabb> near;
-    for (const std::size_t i : index_->near(region)) near.push_back(boxes_[i]);
-    return covered(f, near);
-  }
-
-  void look_up() {
-    index_.emplace(boxes_.empty() ? 1 : index_cell(boxes_));
-    for (std::size_t i = 0; i < boxes_.size(); ++i) index_->add(i, boxes_[i]);
-  }
-
-  void append(const std::vector<Aabb>& boxes) {
-    for (const Aabb& box : boxes) {
-      boxes_.push_back(box);
-      if (index_) index_->add(boxes_.size() - 1, box);
-    }
-  }
+  bool is_held(const Footprint& f) { return is_held_(f, boxes_.as_high_as(reach_of(f))); }
 
   double slack_;
   double margin_ = 0;
   std::vector<Surface> surfaces_;
-  std::vector<Aabb> boxes_;
-  std::optional<BoxIndex> index_;  // once the roofs are covered
+  BoxRuns boxes_;
+  HeldWithin is_held_;
 };
 
 // Features that are covered one after another, so that many small ones cost little each.

@@ -13,7 +13,7 @@ using oracle::any_holds;
 using oracle::solid_under;
 
 std::vector<Aabb> covered(const Footprint& f, double slack) {
-  return cover_upright(f, fit_plane(corners_of(f)), slack, [](const Footprint&) { return false; });
+  return cover_upright(f, fit_plane(corners_of(f)), slack, BoxRuns());
 }
 
 TEST(CoverUpright, AWallIsOneBox) {
@@ -43,9 +43,22 @@ TEST(CoverUpright, APoleIsABoxToo) {
 
 TEST(CoverUpright, LeavesOutWhatOthersHold) {
   const Footprint f = solid_under({{0, 0, 0}, {8, 0, 0}, {8, 0, 4}, {0, 0, 4}});
-  EXPECT_TRUE(cover_upright(f, fit_plane(corners_of(f)), 0.5, [](const Footprint&) {
-                return true;
-              }).empty());
+  const auto beside = [&](double end) {
+    BoxRuns others;
+    others.add(std::vector<Aabb>{{{-1, -1, 0}, {3, 1, 4}}, {{3, -1, -1}, {end, 1, 5}}});
+    return cover_upright(f, fit_plane(corners_of(f)), 0.5, others).size();
+  };
+  EXPECT_EQ(beside(8.5), 0u);  // together
+  EXPECT_EQ(beside(7.5), 1u);
+}
+
+TEST(CoverUpright, LeavesOutThePartsOfAGableThatABoxHolds) {
+  const Footprint f = solid_under({{0, 0, 0}, {8, 0, 0}, {8, 0, 8}, {0, 0, 4}});
+  BoxRuns others;
+  others.add(std::vector<Aabb>{{{-1, -1, 0}, {9, 1, 6}}});  // up to x = 4
+  const auto boxes = cover_upright(f, fit_plane(corners_of(f)), 0.5, others);
+  EXPECT_TRUE(any_holds(boxes, {4.1, 0, 6.04}));
+  EXPECT_FALSE(any_holds(boxes, {3.9, 0, 5.9}));
 }
 
 TEST(CoverUpright, HoldsAllBelowAndKeepsTheSlack) {

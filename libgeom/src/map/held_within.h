@@ -1,0 +1,42 @@
+#pragma once
+
+// Whether boxes hold a footprint between them.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geom/map/footprint.h"
+#include "geom/shape/aabb.h"
+
+namespace geom {
+
+// The box around the footprint's outer ring, from its bottom to its top.
+Aabb reach_of(const Footprint& footprint);
+
+// Asks about one footprint after another, and keeps its memory.
+class HeldWithin {
+ public:
+  // Whether the footprint, taken as flat, lies within the boxes. Rounding may say no, never a wrong
+  // yes by more than the 1e-9 m that cover() rounds outward. If more than 1,000 boxes touch the
+  // footprint, and none of them holds it alone, the answer is no.
+  bool operator()(const Footprint& footprint, std::span<const Aabb> boxes);
+
+ private:
+  struct Stretch {
+    double from;
+    double to;
+  };
+
+  static std::optional<Stretch> part_in(const Aabb& box, const Vec2& a, const Vec2& b);
+  bool holds_wall(const Vec2& a, const Vec2& b);
+  bool holds_walls(const std::vector<Vec2>& ring);
+  bool leaves_gap(const Polygon& polygon, const Aabb& reach);
+
+  std::vector<Aabb> near_;  // boxes that may touch the footprint, and are as high
+  std::vector<Stretch> stretches_;
+  std::vector<double> rows_;
+  std::vector<const Aabb*> in_row_;
+};
+
+}  // namespace geom
