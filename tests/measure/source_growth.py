@@ -2,7 +2,7 @@
 
 Made-up data at the same density, in BIN_DIR's tools (build/test/tools; the peers are in build/test/tests/measure). For each source
 and size: CPU seconds of the process on one thread, the least of N runs (default 3), boxes, the time beside the size before (1.0 where
-it grows as the source does), and beside what GDAL or PCL takes to read the same file, where one of them reads it. --before: the
+it grows as the source does), and beside what GDAL, PCL or our JSON parser alone takes to read the same file. --before: the
 same of another build's tools, in turn.
 """
 
@@ -160,11 +160,11 @@ def mesh(path, times):
             first += 2 * corners
 
 
-GDAL, PCL = "read_gdal", "read_pcl"
+GDAL, JSON, PCL = "read_gdal", "read_json", "read_pcl"
 SOURCES = [
     ("footprints, GeoJSON", geojson, "geojson", ["skyway-footprints", "--threads", "1"], GDAL),
     ("footprints, OSM", osm, "osm", ["skyway-footprints", "--threads", "1"], GDAL),
-    ("city model, CityJSON LoD2", city_json, "city.json", ["skyway-footprints", "--threads", "1"], None),
+    ("city model, CityJSON LoD2", city_json, "city.json", ["skyway-footprints", "--threads", "1"], JSON),
     ("height model, cells of 1 m", height_model(1.0), "tif", ["skyway-footprints", "--threads", "1"], GDAL),
     ("height model, cells of 10 m", height_model(10.0), "tif", ["skyway-footprints", "--threads", "1"], GDAL),
     ("cloud, columns", scan, "pcd", ["skyway-cloud"], PCL),

@@ -24,6 +24,13 @@ using Json = nlohmann::json;
 constexpr const char* kHeights[] = {"measuredHeight",     "height",          "averageHeight",
                                     "storeysAboveGround", "building:levels", "building:height"};
 
+// A member without a copy of it; null where there is none.
+const Json& member(const Json& object, const char* key) {
+  static const Json none;
+  const auto at = object.find(key);
+  return at == object.end() ? none : *at;
+}
+
 class Reader {
  public:
   explicit Reader(std::string_view source) : source_(source) {}
@@ -113,7 +120,7 @@ class Reader {
 
   // `where`: what keeps apart objects of the same name.
   void read_objects(const Json& root, const std::string& where) {
-    const Json objects = root.value("CityObjects", Json());
+    const Json& objects = member(root, "CityObjects");
     if (!objects.is_object()) refuse({.expected = "\"CityObjects\" to be an object"});
     for (const auto& [name, object] : objects.items()) {
       CityObject made = read_object(name, object);
@@ -131,7 +138,7 @@ class Reader {
   bool has_parts(const Json& objects, const Json& object) {
     bool any = false;
     for (const char* key : {"children", "members", "parents"}) {
-      for (const Json& other : object.value(key, Json::array())) {
+      for (const Json& other : member(object, key)) {
         const bool there = other.is_string() && objects.contains(other.get<std::string>());
         if (!there) miss(other, fmt::format("{} of \"{}\"", key, object_.substr(0, 60)));
         any |= there && key == std::string_view("children");
@@ -168,6 +175,17 @@ class Reader {
     out_.crs = digits && !compound ? "EPSG:" + code : text;
   }
 
+  // Number `index` of a list.
+  Vec3 triple(const Json& value, std::string_view what, std::size_t index) const {
+    const auto is_finite = [](const Json& v) {
+      return v.is_number() && std::isfinite(v.get<double>());
+    };
+    const bool plain =
+        value.is_array() && value.size() == 3 && std::all_of(value.begin(), value.end(), is_finite);
+    if (!plain) return triple(value, fmt::format("{} {}", what, index));  // says what is wrong
+    return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
+  }
+
   double number(const Json& value, std::string_view what) const {
     if (!value.is_number() || !std::isfinite(value.get<double>())) {
       refuse({.key = std::string(what), .expected = "a finite number", .found = shown(value)});
@@ -196,11 +214,10 @@ class Reader {
   }
 
   void read_vertices(const Json& root) {
-    const Json vertices = root.value("vertices", Json());
+    const Json& vertices = member(root, "vertices");
     if (!vertices.is_array()) refuse({.expected = "\"vertices\" to be an array"});
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-      const Vec3 v =
-          triple(vertices[i], fmt::format("vertex {}", i)).cwiseProduct(scale_) + translate_;
+      const Vec3 v = triple(vertices[i], "vertex", i).cwiseProduct(scale_) + translate_;
       if (!(v.cwiseAbs().maxCoeff() <= kLargestCoordinate)) {
         refuse({.says = fmt::format("vertex {} lies beyond 1e8", i)});
       }
@@ -216,7 +233,7 @@ class Reader {
     CityObject out;
     out.type = object["type"];
     out.name = name;
-    read_attributes(object.value("attributes", Json()), out);
+    read_attributes(member(object, "attributes"), out);
     if (!object.contains("geometry")) return out;
     const Json& list = object["geometry"];
     if (!list.is_array()) refuse_object({.key = "geometry", .expected = "an array"});
@@ -257,8 +274,9 @@ class Reader {
   }
 
   static bool says_roofs_only(const Json& shape) {
-    const Json semantics = shape.value("semantics", Json());
-    const Json list = semantics.is_object() ? semantics.value("surfaces", Json()) : Json();
+    const Json& semantics = member(shape, "semantics");
+    if (!semantics.is_object()) return false;
+    const Json& list = member(semantics, "surfaces");
     return list.is_array() && !list.empty() &&
            std::all_of(list.begin(), list.end(), [](const Json& s) {
              return s.is_object() && s.value("type", Json()) == "RoofSurface";
@@ -270,7 +288,8 @@ class Reader {
     std::string whole = name;
     for (int depth = 0; depth < 10; ++depth) {
       const Json& object = objects[whole];
-      const Json parents = object.is_object() ? object.value("parents", Json()) : Json();
+      if (!object.is_object()) break;
+      const Json& parents = member(object, "parents");
       const auto parent = std::find_if(parents.begin(), parents.end(), [&](const Json& p) {
         if (!p.is_string()) return false;
         const auto at = objects.find(p.get<std::string>());
@@ -285,7 +304,7 @@ class Reader {
 
   // Templates: shapes that objects place by a matrix and a reference point.
   void read_templates(const Json& root) {
-    const Json section = root.value("geometry-templates", Json());
+    const Json& section = member(root, "geometry-templates");
     if (section.is_null()) return;
     const Json list = section.is_object() ? section.value("templates", Json()) : Json();
     const Json vertices =
@@ -298,7 +317,7 @@ class Reader {
       templates_.push_back(geometry);
     }
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-      template_vertices_.push_back(triple(vertices[i], fmt::format("template vertex {}", i)));
+      template_vertices_.push_back(triple(vertices[i], "template vertex", i));
     }
   }
 
@@ -318,7 +337,7 @@ class Reader {
 
   void collect_geometry(const Json& geometry) {
     if (!is_instance(geometry)) {
-      collect(geometry.value("boundaries", Json()), 0);
+      collect(member(geometry, "boundaries"), 0);
       return;
     }
     const Json at = geometry.value("boundaries", Json());
@@ -353,7 +372,7 @@ class Reader {
       }
     }
     std::swap(vertices_, placed);
-    collect(template_of(geometry).value("boundaries", Json()), 0);
+    collect(member(template_of(geometry), "boundaries"), 0);
     std::swap(vertices_, placed);
   }
 
