@@ -1,5 +1,7 @@
 #include "geom/map/column_grid.h"
 
+#include <malloc.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -109,7 +111,21 @@ struct ColumnGrid::Impl {
 };
 
 ColumnGrid::ColumnGrid(const ColumnSpec& spec) : impl_(std::make_unique<Impl>(spec)) {}
-ColumnGrid::~ColumnGrid() = default;
+
+// The tiles of a large grid are many small pieces, which the C library would keep: what is made of
+// the boxes takes as much again.
+ColumnGrid::~ColumnGrid() {
+  constexpr std::size_t kLarge = 4096;
+  std::size_t tiles = 0;
+  if (impl_) {
+    for (const ColumnShard& shard : impl_->shards) tiles += shard.tiles().size();
+  }
+  impl_.reset();
+#ifdef __GLIBC__
+  if (tiles >= kLarge) malloc_trim(0);
+#endif
+}
+
 ColumnGrid::ColumnGrid(ColumnGrid&&) noexcept = default;
 
 void ColumnGrid::add(const Vec3& p, double reach) {
