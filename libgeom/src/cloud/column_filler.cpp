@@ -30,7 +30,12 @@ ColumnFiller::ColumnFiller(const CloudDraftOptions& options, const Shard& shard,
       ground_(ground),
       run_{run.threads, {}},
       columns_(options.columns),
-      beside_(run.threads <= 1) {}
+      beside_(run.threads <= 1) {
+  for (Batch* batch : {&next_, &current_}) {
+    batch->places.reserve(kBatch + kBlock);
+    batch->classes.reserve(kBatch + kBlock);
+  }
+}
 
 void ColumnFiller::add(std::span<const CloudPoint> points) {
   for (const CloudPoint& p : points) {

@@ -43,6 +43,8 @@ class CellTiles {
     return &tiles_[slot - 1].cells[index(x - tx * kSide, y - ty * kSide)];
   }
 
+  std::size_t size() const { return tiles_.size(); }  // tiles that were made
+
   // By y, then x.
   std::vector<const Tile*> sorted() const {
     std::vector<const Tile*> out;

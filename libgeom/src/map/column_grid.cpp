@@ -1,5 +1,7 @@
 #include "geom/map/column_grid.h"
 
+#include <malloc.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -46,22 +48,24 @@ void for_each_cell(const Vec3& p, double reach, const ColumnSpec& spec, const F&
 class BinnedSpans {
  public:
   void bin(std::span<const Vec3> points, double reach, const ColumnSpec& spec) {
-    spans_.clear();
-    shards_.clear();
+    std::vector<CellSpan> spans;  // in the order of the points
+    std::vector<std::uint16_t> shards;
+    spans.reserve(points.size());
+    shards.reserve(points.size());
     begins_.fill(0);
     for (const Vec3& p : points) {
       for_each_cell(p, reach, spec, [&](const CellSpan& span) {
         const std::size_t shard = shard_of(span.x, span.y);
-        spans_.push_back(span);
-        shards_.push_back(static_cast<std::uint16_t>(shard));
+        spans.push_back(span);
+        shards.push_back(static_cast<std::uint16_t>(shard));
         ++begins_[shard + 1];
       });
     }
     for (std::size_t s = 1; s <= kShards; ++s) begins_[s] += begins_[s - 1];
-    binned_.resize(std::max(binned_.size(), spans_.size()));
+    binned_.resize(std::max(binned_.size(), spans.size()));
     std::array<std::uint32_t, kShards> next;
     std::copy_n(begins_.begin(), kShards, next.begin());
-    for (std::size_t i = 0; i < spans_.size(); ++i) binned_[next[shards_[i]]++] = spans_[i];
+    for (std::size_t i = 0; i < spans.size(); ++i) binned_[next[shards[i]]++] = spans[i];
   }
 
   std::span<const CellSpan> of(std::size_t shard) const {
@@ -69,8 +73,6 @@ class BinnedSpans {
   }
 
  private:
-  std::vector<CellSpan> spans_;  // in the order of the points
-  std::vector<std::uint16_t> shards_;
   std::vector<CellSpan> binned_;
   std::array<std::uint32_t, kShards + 1> begins_{};
 };
@@ -109,7 +111,21 @@ struct ColumnGrid::Impl {
 };
 
 ColumnGrid::ColumnGrid(const ColumnSpec& spec) : impl_(std::make_unique<Impl>(spec)) {}
-ColumnGrid::~ColumnGrid() = default;
+
+// The tiles of a large grid are many small pieces, which the C library would keep: what is made of
+// the boxes takes as much again.
+ColumnGrid::~ColumnGrid() {
+  constexpr std::size_t kLarge = 4096;
+  std::size_t tiles = 0;
+  if (impl_) {
+    for (const ColumnShard& shard : impl_->shards) tiles += shard.tiles().size();
+  }
+  impl_.reset();
+#ifdef __GLIBC__
+  if (tiles >= kLarge) malloc_trim(0);
+#endif
+}
+
 ColumnGrid::ColumnGrid(ColumnGrid&&) noexcept = default;
 
 void ColumnGrid::add(const Vec3& p, double reach) {
@@ -131,6 +147,7 @@ void ColumnGrid::add(std::span<const Vec3> points, double reach, const Execution
       for (std::size_t b = 0; b < count; ++b) impl_->shards[s].add(blocks[b].of(s), impl_->gap);
     }
   });
+  if (count < blocks.size()) blocks = {};  // mostly the last points of a stream
 }
 
 std::vector<std::int32_t> ColumnGrid::spans() const {

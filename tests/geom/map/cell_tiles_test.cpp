@@ -18,6 +18,16 @@ TEST(CellTiles, AreEmptyBeforeTheFirstTouch) {
   const CellTiles<int> tiles;
   EXPECT_EQ(tiles.find(0, 0), nullptr);
   EXPECT_TRUE(tiles.sorted().empty());
+  EXPECT_EQ(tiles.size(), 0u);
+}
+
+TEST(CellTiles, CountTheTilesThatWereMade) {
+  CellTiles<int> tiles;
+  tiles.at(0, 0) = 1;
+  tiles.at(15, 15) = 1;
+  EXPECT_EQ(tiles.size(), 1u);
+  tiles.at(16, -1) = 1;
+  EXPECT_EQ(tiles.size(), 2u);
 }
 
 TEST(CellTiles, BeginWithTheValueOfTheirType) {
