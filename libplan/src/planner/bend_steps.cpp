@@ -120,7 +120,12 @@ std::optional<Found> BendSteps::exhaustively(const Task& task) { return by_roadm
 std::optional<Found> BendSteps::better(const Task& task, const Polyline& than) {
   if (has_roadmap()) return by_roadmap(task, {kCorridorBends}, than);
   if (geom::length(than) <= kStretch) return tighter(task.options, than, paths_for(task));
-  return by_stretches(task, than);
+  PlanOptions quick = task.options;
+  quick.quality = Quality::normal;
+  auto found = by_stretches(quick, than);
+  if (task.options.quality != Quality::best) return found;
+  auto closer = by_stretches(task.options, found ? found->path : than);
+  return closer ? closer : found;
 }
 
 // All that a path shorter than `length` may bend at, or else, where that is too much, what is near
@@ -157,12 +162,13 @@ std::optional<Found> BendSteps::tighter(const PlanOptions& options, const Polyli
 
 // A long path is looked at stretch by stretch, each from about the middle of the one before: what a
 // search settles grows faster than its distance, and most of what can be gained is gained nearby.
-std::optional<Found> BendSteps::by_stretches(const Task& task, const Polyline& than) const {
+std::optional<Found> BendSteps::by_stretches(const PlanOptions& options,
+                                             const Polyline& than) const {
   Polyline path = resample_free(scene_, than, kStretch / 2);
   std::size_t settled = 0;
   for (std::size_t first = 0; first + 2 < path.size();) {
     std::size_t last = std::max(point_after(path, first, kStretch), first + 2);
-    const auto found = tighter(task.options, part_of(path, first, last), 1);
+    const auto found = tighter(options, part_of(path, first, last), 1);
     if (found) {
       settled += found->expanded;
       replace_part(path, first, last, found->path);

@@ -42,7 +42,7 @@ class BendSteps {
   std::vector<Bend> bends_for(const geom::Polyline& part, double length, bool best) const;
   std::optional<Found> tighter(const PlanOptions& options, const geom::Polyline& part,
                                std::size_t paths) const;
-  std::optional<Found> by_stretches(const Task& task, const geom::Polyline& than) const;
+  std::optional<Found> by_stretches(const PlanOptions& options, const geom::Polyline& than) const;
 
   const geom::CollisionScene& scene_;
   const Roadmap* roadmap_;

@@ -14,7 +14,6 @@ constexpr double kFastEnough = 1.05;  // and for `fast`
 constexpr double kLong = 2;           // beyond, trees may know better
 constexpr double kNear = 1.01;        // then lattices are not asked
 constexpr double kNearOverFar = 1.2;  // nor then, where they would take long
-constexpr double kFar = 1500;         // metres: which is from here on
 
 Found shortened(const geom::CollisionScene& scene, const geom::Polyline& path, bool fast) {
   Found found{path, {step_of("search", path)}};
@@ -30,7 +29,8 @@ std::optional<FirstAnswer> first_answer(const geom::CollisionScene& scene, const
   const bool fast = !polished(task.options);
   FirstAnswer first{{}, OwnRoute::chain};
   geom::Polyline path = first_path(scene, task.from, task.to, fast ? kFastEnough : kEnough);
-  if (fast && (path.empty() || geom::length(path) > kLong * task.straight())) {
+  if (fast && task.straight() < kFarApart &&
+      (path.empty() || geom::length(path) > kLong * task.straight())) {
     geom::Polyline tree = tree_path(scene, task.from, task.to);
     if (!tree.empty() && shorter(tree, path)) {
       path = std::move(tree);
@@ -45,7 +45,8 @@ std::optional<FirstAnswer> first_answer(const geom::CollisionScene& scene, const
 bool suffices(const FirstAnswer& first, const Task& task) {
   if (!polished(task.options)) return true;
   const double straight = task.straight();
-  return geom::length(first.found.path) <= (straight >= kFar ? kNearOverFar : kNear) * straight;
+  return geom::length(first.found.path) <=
+         (straight >= kFarApart ? kNearOverFar : kNear) * straight;
 }
 
 }  // namespace plan

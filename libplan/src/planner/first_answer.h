@@ -8,6 +8,8 @@
 
 namespace plan {
 
+inline constexpr double kFarApart = 1500;  // metres between ends: from here on searches take long
+
 struct FirstAnswer {
   Found found;
   Route route;

@@ -12,6 +12,7 @@
 #include "geom/text/counted.h"
 #include "lattice_level.h"
 #include "path/shortcut.h"
+#include "path/taut.h"
 #include "plan/lattice/build_lattice.h"
 #include "plan/planner/snap_end.h"
 #include "refused_end.h"
@@ -28,6 +29,7 @@ constexpr int kLevels = 3;            // each of half the spacing of the one bef
 constexpr double kFewestNodes = 1e4;  // of the first lattice: a small map gets a finer one
 constexpr double kDetour = 1.2;       // of the straight line: then a finer lattice may know better
 constexpr double kHaste = 1.1;        // weight where a lattice's path only leads to bends
+constexpr double kClimb = 300;        // metres towards the goal, of three legs
 constexpr double kCoarser = 2;        // times the first spacing: of a lattice that only leads there
 
 double nodes_at(const geom::Aabb& inner, double spacing) {
@@ -56,6 +58,19 @@ PlanResult with(Found found, Route route, PlanResult result) {
   return result;
 }
 
+// Both places at the height of the higher, or at the least above it where nothing is between them;
+// nothing where that is out of the bounds.
+std::optional<std::pair<Vec3, Vec3>> above_all(const geom::CollisionScene& scene, Vec3 a, Vec3 b) {
+  constexpr double kOff = 1e-3;  // metres above the roofs
+  a.z() = b.z() = std::max(a.z(), b.z());
+  for (auto boxes = scene.blockers(a, b); !boxes.empty(); boxes = scene.blockers(a, b)) {
+    for (const std::size_t i : boxes) a.z() = std::max(a.z(), scene.grown(i).max.z() + kOff);
+    b.z() = a.z();
+  }
+  if (!scene.free(a, b)) return std::nullopt;
+  return std::pair(a, b);
+}
+
 // Whether a lattice's path only leads to bends.
 bool guides(const Task& task) {
   return task.options.method == kAutomatic && polished(task.options);
@@ -79,6 +94,7 @@ struct Planner::Impl {
   PlanResult by_recipe(const Task& task);
   PlanResult by_method(const Task& task);
   PlanResult by_sampling(const Task& task, SamplingMethod method);
+  std::optional<FirstAnswer> by_three_legs(const Task& task);
   PlanResult first_or_lattices(const Task& task, std::optional<ReachResult> reached);
   PlanResult by_lattices(const Task& task, std::optional<ReachResult> reached);
   PlanResult by_cells(const Task& task, ReachResult reached, PlanResult tried) const;
@@ -227,10 +243,29 @@ PlanResult Planner::Impl::by_method(const Task& task) {
   return with(std::move(found), route, std::move(result));
 }
 
+// Climb, level flight over all that stands between, and descent, each planned alone: where a box
+// hangs over an end, no half-plane has a chain.
+std::optional<FirstAnswer> Planner::Impl::by_three_legs(const Task& task) {
+  const Vec3 climb = kClimb / task.straight() * (task.to - task.from);
+  const auto level = above_all(scene_, task.from + climb, task.to - climb);
+  if (!level) return {};
+  Polyline path = by_recipe({task.from, level->first, task.options}).path;
+  const Polyline descent = by_recipe({level->second, task.to, task.options}).path;
+  if (path.empty() || descent.empty()) return {};
+  path.insert(path.end(), descent.begin(), descent.end());
+  Found found{path, {step_of("search", path)}};
+  if (polished(task.options)) {
+    found.path = taut(scene_, path);
+    found.steps.push_back(step_of("taut", found.path));
+  }
+  return FirstAnswer{std::move(found), OwnRoute::chain};
+}
+
 // The shorter of a path found without a search and a lattice's, which is sought where the first may
 // be far from shortest.
 PlanResult Planner::Impl::first_or_lattices(const Task& task, std::optional<ReachResult> reached) {
   auto first = first_answer(scene_, task);
+  if (!first && !task.options.raw && task.straight() >= kFarApart) first = by_three_legs(task);
   PlanResult result;
   const bool given = !levels_.empty() && levels_[0]->given();
   if (given || !first || !suffices(*first, task)) result = by_lattices(task, std::move(reached));

@@ -77,6 +77,24 @@ TEST(Planner, GoesRoundAnObstacle) {
   EXPECT_LT(geom::length(result.path), 1.03 * taut);
 }
 
+// Both ends are under roofs, so no half-plane has a chain.
+TEST(Planner, FliesFarFromUnderARoofToAnother) {
+  std::vector<geom::Aabb> boxes;
+  for (const double x : {100.0, 2900.0}) boxes.push_back({{x - 20, 80, 10}, {x + 20, 120, 12}});
+  for (int i = 0; i < 20; ++i) {
+    const double x = 300 + 120 * i;
+    boxes.push_back({{x, 60, -1}, {x + 40, 140, 20.0 + i}});
+  }
+  const auto scene = scene_of(boxes, {{0, 0, 0}, {3000, 200, 80}}, {1, 1, 1});
+  for (const Quality quality : {Quality::fast, Quality::normal, Quality::best}) {
+    const PlanResult result = planned(scene, {100, 100, 5}, {2900, 100, 5}, {.quality = quality});
+    ASSERT_EQ(result.status, PathStatus::found);
+    expect_free(scene, result.path);
+    EXPECT_EQ(result.resolution, 0);  // no lattice over all the way
+    EXPECT_LT(geom::length(result.path), quality == Quality::fast ? 2840 : 2806);
+  }
+}
+
 TEST(Planner, GoesOverAWall) {
   const auto scene = wall();
   const PlanResult result = planned(scene, {2, 20, 5}, {38, 20, 5});

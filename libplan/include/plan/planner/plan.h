@@ -99,7 +99,8 @@ struct PlanResult {
 //    goal on, then, unless Reach says that there is no way, 20,000 from the start on. With a weight
 //    of 1.02, but for `best`.
 // 3. A chain over or round what stands on the straight line, within half a plane: the shortest of
-//    up to seven, pulled taut.
+//    up to seven, pulled taut. Where there is none over 1,500 m and more, as from under a roof: a
+//    climb over 300 m by these steps, level flight over all that stands between, and a descent.
 // 4. A* on a lattice, joined to both ends by checked segments; the path is shortened by shortcut().
 //    It tries the caller's, if there is one, then 26-connected ones of 20 (where step 5 follows),
 //    10, 5 and 2.5 m (finer on maps too small for these) until one finds a path, each worked out
@@ -118,10 +119,10 @@ struct PlanResult {
 //    of the one before; a stretch within 0.02 % of its straight line stays.
 // 6. taut() pulls the result tight.
 // Quality::fast leaves out steps 4 to 6, and takes the shorter of the chain and the shortest of
-// four of RRT-Connect where the chain is more than twice as long as the straight line; where it has
-// neither, it takes step 4. PlanOptions::raw leaves out steps 3, 5 and 6. With PlanOptions::gap, a
-// shorter path that the search for a bound comes upon is taken, by whichever method the first was
-// found; but not where it was to be raw.
+// four of RRT-Connect where the chain is more than twice as long as the straight line (below 1,500
+// m); where it has neither, it takes step 4. PlanOptions::raw leaves out steps 3, 5 and 6. With
+// PlanOptions::gap, a shorter path that the search for a bound comes upon is taken, by whichever
+// method the first was found; but not where it was to be raw.
 //
 // An edge of a given lattice or roadmap that is blocked on this map throws geom::InputError. The
 // scene and the roadmap must outlive the planner. Threads may plan at once; no answer depends on
