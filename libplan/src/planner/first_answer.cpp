@@ -10,15 +10,16 @@ namespace {
 
 // Times the straight line.
 constexpr double kEnough = 1.0002;    // then no other chain is looked for
+constexpr double kHopeless = 1.1;     // over a distance: then a lattice will know better
 constexpr double kFastEnough = 1.05;  // and for `fast`
 constexpr double kLong = 2;           // beyond, trees may know better
 constexpr double kNear = 1.01;        // then lattices are not asked
 constexpr double kNearOverFar = 1.2;  // nor then, where they would take long
 
-Found shortened(const geom::CollisionScene& scene, const geom::Polyline& path, bool fast) {
+Found shortened(const geom::CollisionScene& scene, const geom::Polyline& path, bool pull) {
   Found found{path, {step_of("search", path)}};
-  found.path = fast ? shortcut(scene, path, 0) : taut(scene, path);
-  found.steps.push_back(step_of(fast ? "shortcut" : "taut", found.path));
+  found.path = pull ? taut(scene, path) : shortcut(scene, path, 0);
+  found.steps.push_back(step_of(pull ? "taut" : "shortcut", found.path));
   return found;
 }
 
@@ -28,9 +29,11 @@ std::optional<FirstAnswer> first_answer(const geom::CollisionScene& scene, const
   if (task.options.raw) return {};
   const bool fast = !polished(task.options);
   FirstAnswer first{{}, OwnRoute::chain};
-  geom::Polyline path = first_path(scene, task.from, task.to, fast ? kFastEnough : kEnough);
-  if (fast && task.straight() < kFarApart &&
-      (path.empty() || geom::length(path) > kLong * task.straight())) {
+  const double straight = task.straight();
+  FirstPathLimits limits{fast ? kFastEnough : kEnough};
+  if (!fast) limits.hopeless = kHopeless;
+  geom::Polyline path = first_path(scene, task.from, task.to, limits);
+  if (fast && straight < kFarApart && (path.empty() || geom::length(path) > kLong * straight)) {
     geom::Polyline tree = tree_path(scene, task.from, task.to);
     if (!tree.empty() && shorter(tree, path)) {
       path = std::move(tree);
@@ -38,7 +41,9 @@ std::optional<FirstAnswer> first_answer(const geom::CollisionScene& scene, const
     }
   }
   if (path.empty()) return {};
-  first.found = shortened(scene, path, fast);
+  const bool hopeless = straight > kFarChain && geom::length(path) > kHopeless * straight;
+  first.is_taut = !fast && !hopeless;
+  first.found = shortened(scene, path, first.is_taut);
   return first;
 }
 

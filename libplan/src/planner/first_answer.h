@@ -13,11 +13,13 @@ inline constexpr double kFarApart = 1500;  // metres between ends: from here on 
 struct FirstAnswer {
   Found found;
   Route route;
+  bool is_taut = false;
 };
 
 // Over or round what stands on the straight line; by random trees where `fast` would get nothing
-// better. Shortened for `fast`, pulled taut for the others. None where there is none, and for a
-// path that is to be raw. The ends do not see each other.
+// better. Shortened for `fast`; pulled taut for the others, unless it is so long that a lattice
+// will know better. None where there is none, and for a path that is to be raw. The ends do not see
+// each other.
 std::optional<FirstAnswer> first_answer(const geom::CollisionScene& scene, const Task& task);
 
 // Whether it is so near to shortest that no lattice is asked: a search among bends finds what is

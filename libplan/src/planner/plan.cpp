@@ -258,7 +258,7 @@ std::optional<FirstAnswer> Planner::Impl::by_three_legs(const Task& task) {
     found.path = taut(scene_, path);
     found.steps.push_back(step_of("taut", found.path));
   }
-  return FirstAnswer{std::move(found), OwnRoute::chain};
+  return FirstAnswer{std::move(found), OwnRoute::chain, true};
 }
 
 // The shorter of a path found without a search and a lattice's, which is sought where the first may
@@ -270,6 +270,10 @@ PlanResult Planner::Impl::first_or_lattices(const Task& task, std::optional<Reac
   const bool given = !levels_.empty() && levels_[0]->given();
   if (given || !first || !suffices(*first, task)) result = by_lattices(task, std::move(reached));
   if (!first || !shorter(first->found.path, result.path)) return result;
+  if (polished(task.options) && !first->is_taut) {
+    first->found.path = taut(scene_, first->found.path);
+    first->found.steps.push_back(step_of("taut", first->found.path));
+  }
   return with(std::move(first->found), first->route, {});
 }
 

@@ -21,13 +21,12 @@ constexpr std::array<Slant, 7> kSlants{
     {{1, 0}, {kCosine, 0.5}, {kCosine, -0.5}, {0.5, kCosine}, {0.5, -kCosine}, {0, 1}, {0, -1}}};
 constexpr std::size_t kFirst = 3;    // that are always looked at
 constexpr std::size_t kLevel = 5;    // from here on they are level
-constexpr double kFar = 150;         // metres between the places
 constexpr double kPromising = 1.05;  // of the straight line
 
 }  // namespace
 
 geom::Polyline first_path(const geom::CollisionScene& scene, const Vec3& from, const Vec3& to,
-                          double enough) {
+                          const FirstPathLimits& limits) {
   const double straight = (to - from).norm();
   const Vec3 along = (to - from) / straight;
   const Vec3 side = along.cross(std::abs(along.z()) < 0.99 ? Vec3::UnitZ() : Vec3::UnitX());
@@ -35,9 +34,10 @@ geom::Polyline first_path(const geom::CollisionScene& scene, const Vec3& from, c
   const Vec3 up = right.cross(along);
   geom::Polyline best;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < kSlants.size() && least > enough * straight; ++i) {
+  for (std::size_t i = 0; i < kSlants.size() && least > limits.enough * straight; ++i) {
     const bool promising = least <= kPromising * straight && i < kLevel;
-    if (i >= kFirst && straight > kFar && !promising) break;
+    const bool hopeless = i > 0 && least > limits.hopeless * straight;
+    if (straight > kFarChain && (hopeless || (i >= kFirst && !promising))) break;
     const HalfPlane half(from, to, kSlants[i].up * up + kSlants[i].side * right);
     geom::Polyline path = chain_in(scene, half, least);
     if (path.empty()) continue;

@@ -9,12 +9,19 @@ namespace plan {
 
 using geom::Vec3;
 
+inline constexpr double kFarChain = 150;  // metres between places that are far from each other
+
+// Times the straight line.
+struct FirstPathLimits {
+  double enough = 1;      // once a chain is as short as this, no other is looked for
+  double hopeless = 1e9;  // nor between far places if the upright chain is longer than this
+};
+
 // The shortest chain_in() a few half-planes beside the straight line: upright, slanting and, where
-// the places are near each other, level. Looks at no more of them once it has one of at most
-// `enough` times the straight line, or where they are far apart and the first three promise little.
-// Empty where no half-plane has a chain. The places are free and do not see each other.
-// Deterministic.
+// the places are near each other, level. Where they are far and the first three promise little, no
+// more are looked at. Empty where no half-plane has a chain. The places are free and do not see
+// each other. Deterministic.
 geom::Polyline first_path(const geom::CollisionScene& scene, const Vec3& from, const Vec3& to,
-                          double enough);
+                          const FirstPathLimits& limits = {});
 
 }  // namespace plan

@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::uint64_t kTrees = 4;
 constexpr std::size_t kIterations = 500;  // of each pair of trees
-constexpr double kLeast = 100;              // metres around the places, at least
-constexpr double kShare = 1;             // of their distance
+constexpr double kLeast = 100;            // metres around the places, at least
+constexpr double kShare = 1;              // of their distance
 
 }  // namespace
 

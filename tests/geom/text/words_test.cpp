@@ -57,8 +57,9 @@ TEST(Words, OfAValueThatTheTableForgotIsAnError) {
 
 TEST(Words, AreListedForMessages) {
   EXPECT_EQ(listed(traj::kRungWords), "closed banded ipopt stop_and_go");
-  EXPECT_EQ(listed(plan::kRouteWords),
-            "straight chain roadmap corridor lattice cells rrt rrt-connect rrt-star informed-rrt-star");
+  EXPECT_EQ(
+      listed(plan::kRouteWords),
+      "straight chain roadmap corridor lattice cells rrt rrt-connect rrt-star informed-rrt-star");
 }
 
 }  // namespace

@@ -15,24 +15,24 @@ const Vec3 kTo(100, 0, 5);
 
 TEST(FirstPath, GoesRoundATowerAndOverAHouse) {
   const auto tower = scene_of({{{40, -20, 0}, {60, 10, 99}}}, kTown);
-  const geom::Polyline round = first_path(tower, kFrom, kTo, 1);
+  const geom::Polyline round = first_path(tower, kFrom, kTo);
   EXPECT_LT(geom::length(round), 2 * std::hypot(40, 10) + 20 + 1);
   const auto house = scene_of({{{40, -90, 0}, {60, 90, 15}}}, kTown);
-  const geom::Polyline over = first_path(house, kFrom, kTo, 1);
+  const geom::Polyline over = first_path(house, kFrom, kTo);
   EXPECT_LT(geom::length(over), 2 * std::hypot(40, 10) + 20 + 1);
 }
 
 TEST(FirstPath, IsTheFirstThatIsShortEnough) {
   const auto scene = scene_of({{{40, -20, 0}, {60, 10, 40}}}, kTown);
-  const double any = geom::length(first_path(scene, kFrom, kTo, 100));
-  const double best = geom::length(first_path(scene, kFrom, kTo, 1));
+  const double any = geom::length(first_path(scene, kFrom, kTo, {.enough = 100}));
+  const double best = geom::length(first_path(scene, kFrom, kTo));
   EXPECT_NEAR(any, 2 * std::hypot(40, 35) + 20, 0.01);  // upright
   EXPECT_LT(best, any - 10);
 }
 
 TEST(FirstPath, IsNothingWhereNoHalfPlaneHasAWay) {
   const auto scene = scene_of({{{50, -100, 0}, {51, 100, 120}}}, kTown);
-  EXPECT_TRUE(first_path(scene, kFrom, kTo, 1).empty());
+  EXPECT_TRUE(first_path(scene, kFrom, kTo).empty());
 }
 
 TEST(FirstPath, IsFreeAndNoShorterThanAPathCanBe) {
@@ -41,7 +41,7 @@ TEST(FirstPath, IsFreeAndNoShorterThanAPathCanBe) {
     const auto detour = detour_for(seed);
     if (!detour) continue;
     const auto& [scene, from, to, length] = *detour;
-    const geom::Polyline path = first_path(scene, from, to, 1);
+    const geom::Polyline path = first_path(scene, from, to);
     if (path.empty()) continue;
     ++found;
     EXPECT_EQ(path.front(), from) << "seed " << seed;

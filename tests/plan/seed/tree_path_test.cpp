@@ -18,7 +18,7 @@ TEST(TreePath, FindsAWayThatNoHalfPlaneHas) {
       scene_of({{{30, -1, -1}, {35, 80, 21}}, {{65, 20, -1}, {70, 101, 21}}}, kRoom, {1, 1, 1});
   const Vec3 from(10, 10, 10);
   const Vec3 to(90, 90, 10);
-  EXPECT_TRUE(first_path(scene, from, to, 1).empty());
+  EXPECT_TRUE(first_path(scene, from, to).empty());
   const geom::Polyline path = tree_path(scene, from, to);
   ASSERT_FALSE(path.empty());
   EXPECT_EQ(path.front(), from);
