@@ -265,7 +265,7 @@ SKYWAY_RAY_LANES std::array<float, kRays> cast_depths(const DepthCast& cast, int
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  rtcIntersect16(kAll, cast.scene, &context, &packet.rtc);
+  embree().intersect16(kAll, cast.scene, &context, &packet.rtc);
   std::array<float, kRays> out;
   write_depths(first, packet.met(0), cast.surfaces, out.data());
   write_depths(second, packet.met(RayLanes::kLanes), cast.surfaces, out.data() + RayLanes::kLanes);
