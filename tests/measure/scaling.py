@@ -25,8 +25,7 @@ LENGTH = 200  # metres
 
 def run(tool, *args, output):
     """CPU seconds, peak megabytes, megabytes written."""
-    threads = [] if tool == "skyway-check" else ["--threads", "1"]
-    command = [str(BIN / tool), *map(str, args), *threads, "-q", "-o", str(output)]
+    command = [str(BIN / tool), *map(str, args), "--threads", "1", "-q", "-o", str(output)]
     child = subprocess.Popen(command, stdin=subprocess.DEVNULL)
     _, status, usage = os.wait4(child.pid, 0)
     code = os.waitstatus_to_exitcode(status)
