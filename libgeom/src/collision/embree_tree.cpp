@@ -1,5 +1,7 @@
 #include "embree_tree.h"
 
+#include <embree3/rtcore.h>
+
 #include <algorithm>
 #include <atomic>
 #include <memory>
@@ -10,7 +12,6 @@
 #include <type_traits>
 #include <vector>
 
-#include "base/embree_library.h"
 #include "filled_tree.h"
 
 namespace geom {
@@ -112,7 +113,7 @@ std::vector<RTCBuildPrimitive> primitives(std::span<const Aabb> boxes, const Tre
 }
 
 struct ReleaseBvh {
-  void operator()(RTCBVH bvh) const { embree().release_bvh(bvh); }
+  void operator()(RTCBVH bvh) const { rtcReleaseBVH(bvh); }
 };
 using Bvh = std::unique_ptr<std::remove_pointer_t<RTCBVH>, ReleaseBvh>;
 
@@ -129,11 +130,11 @@ struct Build {
 RTCError run(Build& build, Bvh& bvh) {
   // The thread's error has its place from the first look at it on, which may itself fail and leave
   // an error behind.
-  if (embree().device_error(build.device) && embree().device_error(build.device)) {
+  if (rtcGetDeviceError(build.device) && rtcGetDeviceError(build.device)) {
     return RTC_ERROR_OUT_OF_MEMORY;
   }
-  bvh.reset(embree().new_bvh(build.device));
-  if (!bvh) return embree().device_error(build.device);
+  bvh.reset(rtcNewBVH(build.device));
+  if (!bvh) return rtcGetDeviceError(build.device);
   RTCBuildArguments args = rtcDefaultBuildArguments();
   args.buildQuality = RTC_BUILD_QUALITY_MEDIUM;
   args.maxBranchingFactor = BoxNode::kLanes;
@@ -150,8 +151,8 @@ RTCError run(Build& build, Bvh& bvh) {
   args.setNodeChildren = set_children;
   args.createLeaf = create_leaf;
   args.userPtr = build.nodes;
-  build.root = embree().build_bvh(&args);
-  return embree().device_error(build.device);
+  build.root = rtcBuildBVH(&args);
+  return rtcGetDeviceError(build.device);
 }
 
 // The same on a thread that ends with it.
@@ -202,8 +203,8 @@ struct Started {
 Started start() noexcept {
   Started out;
   try {
-    out.device = embree().new_device("threads=1");
-    if (!out.device) out.error = embree().device_error(nullptr);
+    out.device = rtcNewDevice("threads=1");
+    if (!out.device) out.error = rtcGetDeviceError(nullptr);
   } catch (const std::bad_alloc&) {  // not even the error could be kept
   }
   return out;
@@ -212,7 +213,6 @@ Started start() noexcept {
 // The process's one device, which is never released: memory that runs out while Embree starts or
 // stops leaves what all its devices share in disorder, so it does either at most once.
 RTCDevice embree_device() {
-  embree();  // may throw, where start() must not
   static const Started embree = start();
   if (!embree.device) throw_error(embree.error);
   return embree.device;

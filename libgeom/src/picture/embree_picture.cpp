@@ -1,3 +1,5 @@
+#include <embree3/rtcore.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -5,7 +7,6 @@
 #include <new>
 #include <stdexcept>
 
-#include "base/embree_library.h"
 #include "geom/picture/picture_scene.h"
 #include "ray_lanes.h"
 
@@ -24,7 +25,7 @@ struct Corner {
 };
 
 void throw_on_error(RTCDevice device) {
-  const RTCError error = embree().device_error(device);
+  const RTCError error = rtcGetDeviceError(device);
   if (error == RTC_ERROR_NONE) return;
   if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
   throw std::runtime_error("Embree could not build the scene of the picture");
@@ -34,8 +35,8 @@ void throw_on_error(RTCDevice device) {
 
 struct PictureScene::Embree {
   // One thread builds, so that the tree, and with it the order of equal depths, is always the same.
-  RTCDevice device = embree().new_device("threads=1");
-  RTCScene scene = device ? embree().new_scene(device) : nullptr;
+  RTCDevice device = rtcNewDevice("threads=1");
+  RTCScene scene = device ? rtcNewScene(device) : nullptr;
 
   // Never released where this throws: a process whose memory ran out while Embree started ends.
   Embree() {
@@ -43,30 +44,30 @@ struct PictureScene::Embree {
       throw_on_error(device);
       throw std::runtime_error("Embree does not start on this processor");
     }
-    embree().set_scene_flags(scene, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
   }
   ~Embree() {
-    embree().release_scene(scene);
-    embree().release_device(device);
+    rtcReleaseScene(scene);
+    rtcReleaseDevice(device);
   }
 
   RTCGeometry new_geometry(RTCGeometryType type) {
-    RTCGeometry geometry = embree().new_geometry(device, type);
+    RTCGeometry geometry = rtcNewGeometry(device, type);
     if (!geometry) throw std::bad_alloc();
     return geometry;
   }
 
   template <class T>
   T* buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::size_t count) {
-    void* memory = embree().set_new_geometry_buffer(geometry, type, 0, format, sizeof(T), count);
+    void* memory = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), count);
     if (!memory) throw std::bad_alloc();
     return static_cast<T*>(memory);
   }
 
   void attach(RTCGeometry geometry, unsigned id) {
-    embree().commit_geometry(geometry);
-    embree().attach_geometry(scene, geometry, id);
-    embree().release_geometry(geometry);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene, geometry, id);
+    rtcReleaseGeometry(geometry);
     throw_on_error(device);
   }
 
@@ -130,7 +131,7 @@ PictureScene::PictureScene(const BoxMap& map, std::span<const Tubes> tubes,
       embree_->add_tubes(t, middle_, static_cast<unsigned>(tube_colours_.size()));
     }
   }
-  embree().commit_scene(embree_->scene);
+  rtcCommitScene(embree_->scene);
   try {
     throw_on_error(embree_->device);
   } catch (...) {
@@ -198,7 +199,7 @@ Block PictureScene::cast(const Rays& view, int x, int y) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  embree().intersect16(valid, embree_->scene, &context, &packet);
+  rtcIntersect16(valid, embree_->scene, &context, &packet);
   Block out;
   for (int i = 0; i < 16; ++i) {
     out[i] = named(rays[i], packet.hit.geomID[i], packet.hit.primID[i], packet.ray.tfar[i]);
@@ -265,7 +266,7 @@ SKYWAY_RAY_LANES std::array<float, kRays> cast_depths(const DepthCast& cast, int
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  embree().intersect16(kAll, cast.scene, &context, &packet.rtc);
+  rtcIntersect16(kAll, cast.scene, &context, &packet.rtc);
   std::array<float, kRays> out;
   write_depths(first, packet.met(0), cast.surfaces, out.data());
   write_depths(second, packet.met(RayLanes::kLanes), cast.surfaces, out.data() + RayLanes::kLanes);
@@ -311,7 +312,7 @@ float PictureScene::unhidden(const Vec3& from,
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  embree().occluded16(valid, embree_->scene, &context, &packet);
+  rtcOccluded16(valid, embree_->scene, &context, &packet);
   int clear = 0;
   for (const float end : packet.tfar) clear += end > 0;
   return static_cast<float>(clear) / 16;
