@@ -5,13 +5,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 #include <fstream>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "geom/base/thread_seconds.h"
 #include "geom/map/box_map_file.h"
 #include "geom/record/record.h"
 #include "geom/shape/polyline.h"
@@ -20,12 +20,6 @@
 #include "traj/record/trajectory_record.h"
 
 namespace {
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 // A record as far as it is checked.
 struct Way {
@@ -58,10 +52,10 @@ double least_seconds(const geom::CollisionScene& scene, const Way& way, traj::Cl
   options.clearance = clearance;
   double least = 1e9;
   for (int k = 0; k < 4; ++k) {  // the first builds what it touches
-    const double start = cpu_seconds();
+    const double start = geom::thread_seconds();
     way.trajectory.segments.empty() ? traj::check_path(scene, way.path, {}, clearance)
                                     : traj::check(scene, way.trajectory, options);
-    if (k > 0) least = std::min(least, cpu_seconds() - start);
+    if (k > 0) least = std::min(least, geom::thread_seconds() - start);
   }
   return least;
 }

@@ -5,24 +5,18 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <fstream>
 #include <map>
 #include <sstream>
 
 #include "geom/base/percentile.h"
+#include "geom/base/thread_seconds.h"
 #include "plan/planner/plan.h"
 #include "support/bench_scene.h"
 
 namespace {
 
 using geom::Vec3;
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 struct Query {
   std::string set;
@@ -55,11 +49,11 @@ int main(int argc, char** argv) {
   const plan::Roadmap roadmap = plan::build_roadmap(scene, {}, {2, {}});
   const std::chrono::duration<double> built = std::chrono::steady_clock::now() - begin;
   const double bytes = static_cast<double>(4 * roadmap.edge_to.size() + 34 * roadmap.bends());
-  double brute = cpu_seconds();
+  double brute = geom::thread_seconds();
   for (const auto& [a, b] : support::segments()) {
     if (support::brute_force(a, b) && !scene.hits(a, b)) return 1;
   }
-  brute = (cpu_seconds() - brute) / static_cast<double>(support::segments().size());
+  brute = (geom::thread_seconds() - brute) / static_cast<double>(support::segments().size());
   fmt::print("bends {} edges {} built in {:.2f} s, {:.0f} MB; a segment by brute force {:.1f} us\n",
              roadmap.bends(), roadmap.edges(), built.count(), bytes / 1e6, brute * 1e6);
   const auto queries = read(argv[1]);
@@ -81,9 +75,9 @@ int main(int argc, char** argv) {
     for (const Query& q : queries) {
       double least = 1e9;
       for (int i = 0; i < 3; ++i) {
-        const double start = cpu_seconds();
+        const double start = geom::thread_seconds();
         const plan::PlanResult result = planner.plan(q.from, q.to, options);
-        least = std::min(least, cpu_seconds() - start);
+        least = std::min(least, geom::thread_seconds() - start);
         if (i == 0) ratio[q.set].push_back(geom::length(result.path) / q.best);
         missing += result.status != geom::PathStatus::found;
       }

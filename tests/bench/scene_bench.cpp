@@ -17,6 +17,7 @@
 #include "binary_peer.h"
 #include "embree_peer.h"
 #include "geom/base/random.h"
+#include "geom/base/thread_seconds.h"
 #include "geom/collision/collision.h"
 #include "geom/map/box_map_file.h"
 #include "tree_peer.h"
@@ -34,12 +35,6 @@ struct Question {
   Vec3 a;
   Vec3 b;
 };
-
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 // Segments of 5 to 50 m, 1 to 60 m above the ground: all over the map, or so many after each other
 // within 100 m of a place.
@@ -95,9 +90,9 @@ void compare(const Asked& asked, const char* where, std::span<const Question> li
     for (std::size_t k = 0; k < kAsked; ++k) {
       const std::size_t who = (k + turn) % kAsked;
       answers[who].clear();
-      const double start = thread_seconds();
+      const double start = geom::thread_seconds();
       for (const Question& q : some) answers[who].push_back(asked.who[who](q));
-      seconds[who] += thread_seconds() - start;
+      seconds[who] += geom::thread_seconds() - start;
     }
     for (std::size_t i = 0; i < some.size(); ++i) {
       const auto other = [&](const std::vector<double>& a) { return a[i] != answers[0][i]; };
@@ -127,13 +122,13 @@ int main(int argc, char** argv) {
   const bench::BinaryPeer two(grown);
   const bench::EmbreePeer embree(grown, half);
   const Aabb all = *geom::bounds(grown);
-  const double start = thread_seconds();
+  const double start = geom::thread_seconds();
   for (std::size_t i = 0; i < map.size(); ++i) {  // builds every group
     const Vec3 p = map.box(i).min;
     static_cast<void>(scene.hits(p, p));
   }
   fmt::print("{} boxes; trees {} MB, touched in {:.2f} s\n", map.size(),
-             scene.counts().most_bytes >> 20, thread_seconds() - start);
+             scene.counts().most_bytes >> 20, geom::thread_seconds() - start);
   fmt::print("{:13} {:9} | {:>7} {:>7} {:>7} {:>7} | ratio | differ\n", "ns", "", "Skyway", "eight",
              "two", "Embree");
   const auto around = [&](const Question& q) { return Aabb{q.a - half, q.a + half}; };

@@ -6,23 +6,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <fstream>
 #include <map>
 
 #include "geom/base/percentile.h"
+#include "geom/base/thread_seconds.h"
 #include "geom/map/box_map_file.h"
 #include "geom/record/record.h"
 #include "traj/proof/check.h"
 #include "traj/solve/solve.h"
 
 namespace {
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 double mean(const std::vector<double>& values) {
   double sum = 0;
@@ -57,13 +51,13 @@ int main(int argc, char** argv) {
     for (const geom::PathRecord& path : paths) {
       if (path.status != geom::PathStatus::found) continue;
       Set& set = sets[path.id.substr(0, path.id.rfind('-'))];
-      double start = cpu_seconds();
+      double start = geom::thread_seconds();
       const traj::SolveResult result = traj::solve(scene, path.points, options);
-      set.seconds.push_back(cpu_seconds() - start);
-      start = cpu_seconds();
+      set.seconds.push_back(geom::thread_seconds() - start);
+      start = geom::thread_seconds();
       const bool ok = result.status == traj::SolveStatus::solved &&
                       traj::check(scene, result.trajectory, options.limits).ok;
-      set.check.push_back(1e3 * (cpu_seconds() - start));
+      set.check.push_back(1e3 * (geom::thread_seconds() - start));
       set.proved += ok;
       if (result.rung) ++set.rungs[std::string(name(*result.rung))];
       set.ratio.push_back(traj::duration(result.trajectory) /

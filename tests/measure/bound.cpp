@@ -12,24 +12,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <ctime>
 #include <fstream>
 #include <map>
 #include <numeric>
 #include <vector>
 
+#include "geom/base/thread_seconds.h"
 #include "geom/map/box_map_file.h"
 #include "geom/record/query_record.h"
 #include "geom/shape/polyline.h"
 #include "plan/planner/plan.h"
 
 namespace {
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 struct Set {
   std::vector<double> ms;
@@ -62,18 +56,18 @@ int main(int argc, char** argv) {
     const double length = argc == 5 ? query.best_known.value_or(0)
                                     : geom::length(planner.plan(query.from, query.to).path);
     if (length == 0) continue;
-    const double begin = cpu_seconds();
+    const double begin = geom::thread_seconds();
     if (first) {
       bounder.ask(query.from, query.to, 2 * length, {options.gap, 1});
-      fmt::print("first {:.3f} s\n", cpu_seconds() - begin);
+      fmt::print("first {:.3f} s\n", geom::thread_seconds() - begin);
       first = false;
     }
     plan::LengthBound found;
     double least = 1e9;
     for (int repeat = 0; repeat < 3; ++repeat) {
-      const double asked = cpu_seconds();
+      const double asked = geom::thread_seconds();
       found = bounder.ask(query.from, query.to, length, options);
-      least = std::min(least, cpu_seconds() - asked);
+      least = std::min(least, geom::thread_seconds() - asked);
     }
     Set& set = sets[query.id.substr(0, query.id.rfind('-'))];
     set.ms.push_back(1e3 * least);

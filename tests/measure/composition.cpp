@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <ctime>
 #include <fstream>
 #include <map>
 #include <numeric>
@@ -20,6 +19,7 @@
 #include <vector>
 
 #include "geom/base/percentile.h"
+#include "geom/base/thread_seconds.h"
 #include "geom/map/box_map_file.h"
 #include "geom/record/query_record.h"
 #include "geom/shape/polyline.h"
@@ -30,12 +30,6 @@ namespace {
 
 using geom::Polyline;
 using geom::Vec3;
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 std::vector<geom::PlanQuery> queries_of(const geom::CollisionScene& scene, int argc, char** argv) {
   if (argc == 3) {
@@ -150,9 +144,9 @@ int main(int argc, char** argv) {
     Polyline best;
     double composing = 0;
     for (const double climb : kClimbs) {
-      const double begin = cpu_seconds();
+      const double begin = geom::thread_seconds();
       Polyline path = composed(scene, planner, query.from, query.to, climb);
-      const double seconds = cpu_seconds() - begin;
+      const double seconds = geom::thread_seconds() - begin;
       if (path.empty()) continue;
       if (!best.empty() && geom::length(best) <= geom::length(path)) continue;
       best = std::move(path);
@@ -166,9 +160,9 @@ int main(int argc, char** argv) {
       Polyline path;
       double least = 1e9;
       for (int repeat = 0; repeat < (argc == 3 ? 3 : 1); ++repeat) {
-        const double begin = cpu_seconds();
+        const double begin = geom::thread_seconds();
         path = planner.plan(query.from, query.to, options).path;
-        least = std::min(least, cpu_seconds() - begin);
+        least = std::min(least, geom::thread_seconds() - begin);
       }
       add(set.by_quality[i], scene, query, path, 1e3 * least, shortest);
     }

@@ -8,19 +8,13 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <ctime>
 #include <vector>
 
+#include "geom/base/thread_seconds.h"
 #include "geom/map/box_map_file.h"
 #include "support/random_city.h"
 
 namespace {
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 geom::Vec3 free_place(const geom::CollisionScene& scene, support::Random& random) {
   const geom::Aabb& room = *scene.free_bounds();
@@ -55,9 +49,9 @@ int main(int argc, char** argv) {
     const geom::Vec3 to = free_place(scene, random);
     plan::ReachResult result;
     const auto timed = [&] {
-      const double begin = cpu_seconds();
+      const double begin = geom::thread_seconds();
       result = reach.ask(from, to);
-      return cpu_seconds() - begin;
+      return geom::thread_seconds() - begin;
     };
     const double once = timed();
     if (i == 0) {

@@ -9,8 +9,8 @@
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
-#include "cpu_clock.h"
 #include "geom/base/error.h"
+#include "geom/base/thread_seconds.h"
 
 namespace bench {
 namespace {
@@ -108,8 +108,8 @@ plan::bench::Answer OmplAdapter::plan(const geom::PlanQuery& query) {
   if (impl_->planner == OmplPlanner::rrt_connect) {
     setup.solve(impl_->seconds);  // wall: it stops at its first path, and a CPU clock costs more
   } else {
-    const double end = cpu_seconds() + impl_->seconds;
-    setup.solve(ob::PlannerTerminationCondition([end] { return cpu_seconds() >= end; }));
+    const double end = geom::thread_seconds() + impl_->seconds;
+    setup.solve(ob::PlannerTerminationCondition([end] { return geom::thread_seconds() >= end; }));
   }
   if (!setup.haveExactSolutionPath()) return {geom::PathStatus::stopped, {}, std::nullopt};
   if (impl_->planner == OmplPlanner::rrt_connect) setup.simplifySolution();

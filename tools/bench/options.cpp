@@ -8,8 +8,8 @@
 #include "cli/option/quality_option.h"
 #include "cli/option/word_for.h"
 #include "cli/run.h"
-#include "cpu_clock.h"
 #include "geom/base/error.h"
+#include "geom/base/thread_seconds.h"
 #include "methods.h"
 
 namespace bench {
@@ -100,7 +100,7 @@ void complete(Options& options, const geom::BoxMap& map) {
     options.random.length = {options.length[0], options.length[1]};
   }
   options.rule.within = options.within / 100;
-  options.rule.clock = cpu_seconds;
+  options.rule.clock = geom::thread_seconds;
   options.method.seed = options.random.seed;
   options.method.spec.connectivity = static_cast<plan::Connectivity>(options.connect);
   options.method.spec.origin = map.spec().bounds.min;

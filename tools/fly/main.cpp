@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <ctime>
 #include <filesystem>
 #include <sstream>
 
@@ -13,6 +12,7 @@
 #include "cli/option/scenes.h"
 #include "cli/run.h"
 #include "cli/shard/record_output.h"
+#include "geom/base/thread_seconds.h"
 #include "options.h"
 #include "traj/flight/gains_record.h"
 #include "traj/record/simulated_flights.h"
@@ -87,12 +87,6 @@ void write_runs(const cli::Common& common, const traj::SimulatedFlights& mission
   common.write_stats({{"trajectories", flown.size()}});
 }
 
-double thread_seconds() {
-  std::timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 // Log and reports of what is flown, and what it came to.
 class Flights {
  public:
@@ -157,7 +151,7 @@ traj::SimulationOptions simulation(const fly::Options& options,
   if (options.runs > 0) out.spread = options.spread();
   out.tube = options.tube;
   out.log_period = options.log_period();
-  out.clock = thread_seconds;
+  out.clock = geom::thread_seconds;
   return out;
 }
 

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <ctime>
-
 #include "cli/file/files.h"
 #include "cli/option/numbers_option.h"
 #include "cli/option/output_option.h"
@@ -12,6 +10,7 @@
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
 #include "cli/shard/sharding.h"
+#include "geom/base/thread_seconds.h"
 #include "plan/roadmap/part_file.h"
 #include "plan/roadmap/patch_roadmap.h"
 #include "plan/roadmap/roadmap_estimate.h"
@@ -22,13 +21,6 @@ namespace {
 
 constexpr double kLong = 300;  // seconds of a core: beyond, the reach must be named
 constexpr double kSaid = 20;   // seconds of a core: beyond, it is measured and said beforehand
-
-// Seconds of this thread's work.
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 plan::Roadmap patched(cli::Scenes& scenes, const cli::PatchOptions& patch,
                       const geom::Execution& run) {
@@ -64,9 +56,9 @@ void check_size(const cli::Common& common, const std::string& map_file,
                     boxes, plan::in_words(estimate)));
   }
   if (estimate.seconds <= kSaid || !all) return;
-  common.warn(fmt::format("{}: a roadmap of {} boxes will have {}, by a few of its tiles", map_file,
-                          boxes,
-                          plan::in_words(plan::estimate_roadmap(scene, spec, thread_seconds))));
+  common.warn(
+      fmt::format("{}: a roadmap of {} boxes will have {}, by a few of its tiles", map_file, boxes,
+                  plan::in_words(plan::estimate_roadmap(scene, spec, geom::thread_seconds))));
 }
 
 }  // namespace
