@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "geom/base/random.h"
+
 namespace geom {
 namespace {
 
@@ -55,6 +59,57 @@ TEST(HeldWithin, OfManyBoxesOneMustHoldItAlone) {
   strips.push_back({{0.01, 0, 0}, {0.03, 10, 3}});
   strips.erase(strips.begin());
   EXPECT_TRUE(held(square(10, 3), strips));  // by 1,000 of them
+}
+
+// Corners at sixteenths of a unit, so that some reach into a cell without a box by little of an
+// edge.
+Footprint random_triangle(SplitMix64& random) {
+  Footprint f;
+  f.top = 1;
+  while (f.polygon.outer.size() < 3) {
+    f.polygon.outer.push_back({random.whole(0, 64) / 16.0, random.whole(0, 64) / 16.0});
+  }
+  return f;
+}
+
+// Most cells of a grid of 4 x 4.
+std::vector<Aabb> random_cells(SplitMix64& random) {
+  std::vector<Aabb> cells;
+  for (int x = 0; x < 4; ++x) {
+    for (int y = 0; y < 4; ++y) {
+      if (random.chance(0.85)) cells.push_back({Vec3(x, y, 0), Vec3(x + 1, y + 1, 1)});
+    }
+  }
+  return cells;
+}
+
+// Whether a point of the triangle, of a fine net with all corners in it, is in none of the boxes.
+bool has_free_point(const std::vector<Vec2>& t, const std::vector<Aabb>& boxes) {
+  constexpr int kNet = 48;
+  for (int i = 0; i <= kNet; ++i) {
+    for (int j = 0; i + j <= kNet; ++j) {
+      const Vec2 p = (i * t[0] + j * t[1] + (kNet - i - j) * t[2]) / kNet;
+      const bool is_held = std::any_of(boxes.begin(), boxes.end(), [&](const Aabb& box) {
+        return (p.array() >= box.min.head<2>().array() - 1e-9).all() &&
+               (p.array() <= box.max.head<2>().array() + 1e-9).all();
+      });
+      if (!is_held) return true;
+    }
+  }
+  return false;
+}
+
+TEST(HeldWithin, IsNeverHeldWhereAPointOfItIsFree) {
+  SplitMix64 random(11);
+  int held_ones = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Footprint f = random_triangle(random);
+    const std::vector<Aabb> cells = random_cells(random);
+    if (!held(f, cells)) continue;
+    ++held_ones;
+    ASSERT_FALSE(has_free_point(f.polygon.outer, cells)) << i;
+  }
+  EXPECT_GT(held_ones, 1000);
 }
 
 }  // namespace
