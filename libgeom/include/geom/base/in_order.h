@@ -136,8 +136,8 @@ class OrderedStream {
 // `work` of other items; so they must not share what they change. At most `window` items (at least
 // one) are held: read, and not yet taken.
 //
-// What is thrown is what one thread would throw that does an item wholly before the next, and all
-// items before it were taken; some after it may have been worked on. `run.progress` is not called.
+// Throws the first failure in the order of the items, as one thread would, once all items before it
+// are taken. Some items after it may have been worked on. `run.progress` is not called.
 template <class Item, class Next, class Work, class Take>
 void in_order(const Execution& run, std::size_t window, const Next& next, const Work& work,
               const Take& take) {
