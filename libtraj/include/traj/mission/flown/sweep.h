@@ -15,6 +15,14 @@
 
 namespace traj {
 
+// How a vehicle may move in a region: any velocity in the convex hull of these and 0, on these legs
+// of its way. Without velocities any direction counts.
+struct Motion {
+  std::size_t first_leg = 0;
+  std::size_t last_leg = 0;
+  std::vector<Vec3> velocity = {};  // m/s
+};
+
 // The convex hull of a few points, metres.
 struct Sweep {
   std::vector<Vec3> hull;
@@ -22,6 +30,15 @@ struct Sweep {
   // Of a way up from the ground or down to it: the ground's z. What lies below that is stood on, so
   // it is not in the way.
   std::optional<double> stands_on = {};
+  std::optional<Motion> motion = {};
+};
+
+// A straight leg and when it is flown, s after the flight begins.
+struct TimedLeg {
+  Vec3 a;
+  Vec3 b;
+  double from = 0;
+  double until = 0;
 };
 
 // Where one autopilot may be while it flies a mission: anywhere in the sweeps, and within `around`
@@ -30,6 +47,9 @@ struct Drift {
   std::string autopilot;  // as reports name it
   std::vector<Sweep> sweeps;
   Vec3 around = Vec3::Zero();  // m
+  std::vector<TimedLeg> legs =
+      {};            // of its way, from the ground to the ground; times are estimates
+  double speed = 0;  // m/s: the fastest of these
 };
 
 }  // namespace traj

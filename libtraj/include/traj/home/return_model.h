@@ -1,0 +1,65 @@
+#pragma once
+
+// How a vehicle leaves its mission and comes home by itself: an autopilot's return, as numbers.
+//
+// Example:
+//   const traj::ReturnModel model = traj::return_model(traj::px4("1.17"));
+//   assert(model.height == 60 && traj::braking_way(model, 5) > 25.0 / 6);
+
+#include <string>
+#include <string_view>
+
+#include "geom/text/words.h"
+#include "traj/mission/firmware/autopilot.h"
+
+namespace traj {
+
+// What it does when the link is lost, or the operator asks for it.
+enum class ReturnAction {
+  rtl,   // to home or a rally point at the return height, and land there
+  land,  // brake, and land below
+  hold   // brake, and stay
+};
+inline constexpr geom::Words<ReturnAction, 3> kReturnActionWords{{
+    {ReturnAction::rtl, "rtl"},
+    {ReturnAction::land, "land"},
+    {ReturnAction::hold, "hold"},
+}};
+constexpr std::string_view name(ReturnAction action) {
+  return geom::word_of(kReturnActionWords, action);
+}
+
+struct ReturnModel {
+  std::string autopilot;    // as reports name it
+  double height = 0;        // m above the place it returns to, or above home (rally_adds)
+  double least_climb = 0;   // m that it climbs at least
+  double slope = 0;         // height over distance of the cone in which it stays low; 0: none
+  double low_within = 0;    // m from home within which it may stay low
+  bool rally_adds = false;  // `height` counts from a rally point; else from home
+
+  // How it stops: seconds until it begins, the deceleration and its jerk, and what it overshoots.
+  double reaction = 0;        // s
+  double deceleration = 1;    // m/s2
+  double jerk = 1;            // m/s3
+  double overshoot_time = 0;  // s: times the speed,
+  double overshoot = 0;       // m: and this
+
+  double speed = 0;            // m/s that it returns with
+  double climb = 0;            // m/s
+  double descent = 0;          // m/s
+  double under = 0;            // m below its height from which it may go across
+  double acceptance = 0;       // m from the place where it may begin to sink
+  double fall = 0;             // m that it sinks until it is above its place
+  Vec3 around = Vec3::Zero();  // m along each axis that it may be off all this
+};
+
+ReturnModel return_model(const Autopilot& autopilot);
+
+// DJI's, as its documentation of WPML says it: up to `height` above the take-off, level to above
+// it, and down; from within 50 m at any height. Its firmware is not public: brakes with 3 m/s2.
+ReturnModel dji_return_model(double height);
+
+// Metres from a speed, m/s, to rest: with its reaction, an S-curve, and what is overshot.
+double braking_way(const ReturnModel& model, double speed);
+
+}  // namespace traj

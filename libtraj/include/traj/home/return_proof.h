@@ -1,0 +1,78 @@
+#pragma once
+
+// Whether a vehicle comes home by itself from every instant of a flight.
+//
+// Example:
+//   traj::ReturnTask task;
+//   task.models = {traj::return_model(traj::px4("1.17"))};
+//   task.home = geom::Vec3{0, 0, 0};
+//   const traj::ReturnProof proof = traj::prove_return(scene, {traj::stages_of(trajectory)}, task);
+//   std::cout << 100 * traj::share(proof) << " % of the time\n";
+//   assert(proof.gaps.empty() == (traj::share(proof) == 1));
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geom/base/execution.h"
+#include "geom/collision/collision.h"
+#include "traj/home/return_sweeps.h"
+#include "traj/proof/reason.h"
+
+namespace traj {
+
+struct ReturnTask {
+  ReturnAction action = ReturnAction::rtl;
+  std::vector<ReturnModel> models;  // any of which may fly; one list of stages each
+  Vec3 home = Vec3::Zero();         // the ground there
+  std::vector<Vec3> rally;          // places in the air
+  std::vector<Fence> fences;        // that returns keep to
+  Vec3 room = Vec3::Zero();  // m along each axis beside the vehicle, without its margin: how wrong
+                             // it may be about its place
+  double finest = 0.5;  // m: shorter stages are not divided
+  // s after the epoch of the map at which the flight begins: boxes with times that are over by then
+  // are not in the way. Nothing: each of them counts as always there.
+  std::optional<double> start = {};
+};
+
+// A time from which no return is proved, and the first reason that was found.
+struct ReturnGap {
+  double from = 0;  // s of the flight, closed
+  double until = 0;
+  FlightPart part = {};
+  std::string autopilot = {};
+  ReturnPhase phase = ReturnPhase::braking;
+  Reason reason = Reason::collision;      // bounds, collision, fence or landing
+  Vec3 place = Vec3::Zero();              // m: of what it would meet
+  std::optional<std::size_t> box = {};    // an index into the map
+  std::optional<std::size_t> fence = {};  // into the fences
+};
+
+struct ReturnProof {
+  double duration = 0;          // s
+  double height = 0;            // m: the return height it holds for, the least of the models'
+  std::vector<ReturnGap> gaps;  // ascending, apart
+  double longest = 0;           // s that a return may take, by its speeds: an estimate
+};
+
+// The part of the time from which a return is proved, 0 to 1.
+double share(const ReturnProof& proof);
+
+// From every stage of every model: its sweeps (return_sweeps) are clear of the map for the vehicle
+// with the larger of its margin and the model's `around` with `room`, and keep to bounds and
+// fences; a stage that is not clear is divided until its parts are, or are `finest` metres long.
+// Sound: all places outside of the gaps' times have a return that is clear. Nothing is sampled. The
+// same for any number of threads. `stages` has one list for each of the models.
+ReturnProof prove_return(const geom::CollisionScene& scene,
+                         std::span<const std::vector<FlightStage>> stages, const ReturnTask& task);
+
+// The least return height, m above home (to `step` metres, up to the map's bounds), with which the
+// return is proved from every instant; nothing if there is none. By bisection; the height that is
+// returned was proved.
+std::optional<double> least_return_height(const geom::CollisionScene& scene,
+                                          std::span<const std::vector<FlightStage>> stages,
+                                          ReturnTask task, double step = 0.5);
+
+}  // namespace traj
