@@ -39,6 +39,10 @@ struct FlightStage {
 // that cannot be divided: one place, or an instant.
 std::optional<std::pair<FlightStage, FlightStage>> halves(const FlightStage& stage);
 
+// The first and the last places of a stage, each as a stage; nothing for one that cannot be
+// divided.
+std::optional<std::pair<FlightStage, FlightStage>> ends_of(const FlightStage& stage);
+
 // How long the stage is: metres from end to end of `where`.
 double extent(const FlightStage& stage);
 

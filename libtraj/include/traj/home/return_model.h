@@ -30,12 +30,13 @@ constexpr std::string_view name(ReturnAction action) {
 }
 
 struct ReturnModel {
-  std::string autopilot;    // as reports name it
-  double height = 0;        // m above the place it returns to, or above home (rally_adds)
-  double least_climb = 0;   // m that it climbs at least
-  double slope = 0;         // height over distance of the cone in which it stays low; 0: none
-  double low_within = 0;    // m from home within which it may stay low
-  bool rally_adds = false;  // `height` counts from a rally point; else from home
+  std::string autopilot;     // as reports name it
+  double height = 0;         // m above the place it returns to, or above home (rally_adds)
+  double least_climb = 0;    // m that it climbs at least
+  double slope = 0;          // height over distance of the cone in which it stays low; 0: none
+  double low_within = 0;     // m from home within which it may stay low
+  bool home_always = false;  // it may go home where a rally point is nearer
+  bool rally_adds = false;   // `height` counts from a rally point; else from home
 
   // How it stops: seconds until it begins, the deceleration and its jerk, and what it overshoots.
   double reaction = 0;        // s
@@ -61,5 +62,8 @@ ReturnModel dji_return_model(double height);
 
 // Metres from a speed, m/s, to rest: with its reaction, an S-curve, and what is overshot.
 double braking_way(const ReturnModel& model, double speed);
+// Seconds by which a velocity is multiplied for its way to rest, `overshoot` left out, if no
+// velocity is larger than `fastest` m/s. Grows with it.
+double braking_factor(const ReturnModel& model, double fastest);
 
 }  // namespace traj

@@ -8,7 +8,8 @@
 //   task.home = geom::Vec3{0, 0, 0};
 //   const traj::ReturnProof proof = traj::prove_return(scene, {traj::stages_of(trajectory)}, task);
 //   std::cout << 100 * traj::share(proof) << " % of the time\n";
-//   assert(proof.gaps.empty() == (traj::share(proof) == 1));
+//   for (const traj::ReturnGap& gap : proof.gaps) std::cout << gap.from << " to " << gap.until <<
+//   '\n';
 
 #include <cstddef>
 #include <optional>
@@ -31,7 +32,7 @@ struct ReturnTask {
   std::vector<Fence> fences;        // that returns keep to
   Vec3 room = Vec3::Zero();  // m along each axis beside the vehicle, without its margin: how wrong
                              // it may be about its place
-  double finest = 0.5;  // m: shorter stages are not divided
+  double finest = 0.5;       // m: shorter stages are not divided
   // s after the epoch of the map at which the flight begins: boxes with times that are over by then
   // are not in the way. Nothing: each of them counts as always there.
   std::optional<double> start = {};

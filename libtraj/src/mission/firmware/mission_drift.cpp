@@ -23,7 +23,7 @@ class DriftMaker {
  public:
   DriftMaker(const Autopilot& autopilot, const DriftTask& task) : pilot_(autopilot), task_(task) {}
 
-  std::vector<Sweep> make() {
+  Drift make() {
     for (const Sweep& sweep : task_.sweeps) {
       const bool bends = sweep.part.manoeuvre == Manoeuvre::spline;
       out_.push_back({bends ? around(sweep.hull, furthest_overshoot()) : sweep.hull, sweep.part,
@@ -38,15 +38,70 @@ class DriftMaker {
     }
     task_.ends.landing_on ? land() : end();
     return_home();
-    return std::move(out_);
+    Drift drift{pilot_.name, std::move(out_), pilot_.tracking, timed_legs()};
+    for (std::size_t i = 1; i < task_.path.size(); ++i) {
+      drift.speed = std::max(drift.speed, speed_at_end(i));
+    }
+    return drift;
   }
 
  private:
   const Vec3& at(std::size_t i) const { return task_.path[i]; }
 
-  void add(Hull hull, const FlightPart& part) { out_.push_back({std::move(hull), part}); }
-  void add_to_ground(Hull hull, const FlightPart& part, double ground) {
-    out_.push_back({std::move(hull), part, ground});
+  void add(Hull hull, const FlightPart& part, std::optional<Motion> motion = {}) {
+    out_.push_back({std::move(hull), part, {}, std::move(motion)});
+  }
+  void add_to_ground(Hull hull, const FlightPart& part, double ground,
+                     std::optional<Motion> motion = {}) {
+    out_.push_back({std::move(hull), part, ground, std::move(motion)});
+  }
+
+  // As on these legs; where one of them rises or sinks, so may the vehicle on all.
+  Motion along(std::size_t first, std::size_t last) const {
+    Motion motion{first, last, {}};
+    bool level = first > 0 && last < task_.path.size();
+    for (std::size_t i = std::max<std::size_t>(first, 1); i <= last && i < task_.path.size(); ++i) {
+      motion.velocity.push_back(direction(i) * speed_at_end(i));
+      level = level && direction(i).z() == 0;
+    }
+    if (level) return motion;
+    motion.velocity.push_back({0, 0, pilot_.climb});
+    motion.velocity.push_back({0, 0, -pilot_.descent});
+    return motion;
+  }
+
+  // --- times ----------------------------------------------------------------------------------
+
+  // From the ground to the ground: the take-off first, then the leg to each point, the landing.
+  std::vector<TimedLeg> timed_legs() const {
+    std::vector<TimedLeg> legs;
+    const Vec3& first = at(0);
+    const double ground = task_.ends.takeoff_from.value_or(first.z());
+    double now = std::max(0.0, first.z() - ground) / pilot_.climb;
+    legs.push_back(
+        {{first.x(), first.y(), std::min(ground, first.z())}, first, 0, now, task_.legs[0]});
+    for (std::size_t i = 1; i < task_.path.size(); ++i) {
+      now += task_.hold[i - 1];
+      const double arrives = now + seconds(i);
+      legs.push_back({at(i - 1), at(i), now, arrives, task_.legs[i]});
+      now = arrives;
+    }
+    if (!task_.ends.landing_on) return legs;
+    const Vec3& last = at(task_.path.size() - 1);
+    now += task_.hold.back();
+    const double sinks = std::max(0.0, last.z() - *task_.ends.landing_on) / pilot_.descent;
+    legs.push_back(
+        {last, {last.x(), last.y(), *task_.ends.landing_on}, now, now + sinks, task_.landing});
+    return legs;
+  }
+
+  // Of the leg to a point: at its speed, and what speeding up from a rest and slowing down takes.
+  double seconds(std::size_t i) const {
+    const double fast = speed(i);
+    const double ramp = fast / (2 * pilot_.acceleration);
+    const bool from_rest = i == 1 || stops(i - 1);
+    const bool to_rest = i + 1 == task_.path.size() || stops(i);
+    return length(i) / fast + (from_rest ? ramp : 0) + (to_rest ? ramp : 0);
   }
 
   Vec3 direction(std::size_t i) const {
@@ -126,7 +181,7 @@ class DriftMaker {
       hull.push_back({at(i - 1).x(), at(i - 1).y(), at(i).z()});
       hull = around(hull, r < kTightRadius ? kWideSwing : kSwing);
     }
-    add(std::move(hull), task_.legs[i]);
+    add(std::move(hull), task_.legs[i], along(i, i));
     if (pilot_.climbs_ahead && is_leg(i) && (i == 1 || stops(i - 1))) climb_ahead(i);
   }
 
@@ -140,7 +195,7 @@ class DriftMaker {
     const Vec3 up(0, 0, share * way.z());
     const Vec3 beyond = at(i - 1) + overshoot(i - 1);
     add({at(i - 1), at(i - 1) + up, beyond, beyond + up, at(i) - share * level(way), at(i)},
-        task_.legs[i]);
+        task_.legs[i], along(i, i));
   }
 
   // A climb begins, and ends, where the place is within the radius, and stays so far off.
@@ -154,7 +209,7 @@ class DriftMaker {
       }
     }
     if (i + 1 < task_.path.size()) hull.push_back(settled(i, speed(i + 1), pilot_.from_corner));
-    add(std::move(hull), task_.legs[i]);
+    add(std::move(hull), task_.legs[i], along(i, i + 1));
   }
 
   static Hull around(const Hull& hull, double by) {
@@ -171,7 +226,7 @@ class DriftMaker {
     const Vec3& top = at(0);
     const Vec3 ground(top.x(), top.y(), *task_.ends.takeoff_from);
     const double high = std::max(top.z(), ground.z() + pilot_.takeoff_height);
-    add_to_ground({ground, {top.x(), top.y(), high}}, task_.legs[0], ground.z());
+    add_to_ground({ground, {top.x(), top.y(), high}}, task_.legs[0], ground.z(), along(0, 0));
     if (task_.path.size() < 2) return;
     const double low =
         std::min(pilot_.height_acceptance, std::max(0.0, (top.z() - ground.z()) / 2));
@@ -180,10 +235,11 @@ class DriftMaker {
     Hull hull{top - down, Vec3(top.x(), top.y(), high) + up,
               settled(0, speed(1), pilot_.from_corner)};
     // Away from home: some go on from above home.
-    if (task_.path.size() > 2 && task_.legs[1].manoeuvre == Manoeuvre::takeoff) {
+    const bool away = task_.path.size() > 2 && task_.legs[1].manoeuvre == Manoeuvre::takeoff;
+    if (away) {
       hull.insert(hull.end(), {at(1) - down, at(1) + up, settled(1, speed(2), pilot_.from_corner)});
     }
-    add(std::move(hull), task_.legs[0]);
+    add(std::move(hull), task_.legs[0], along(0, away ? 2 : 1));
   }
 
   // Beyond the stop, and from there onto the next leg.
@@ -192,7 +248,7 @@ class DriftMaker {
     if (beyond.isZero(0)) return;
     const double fast = speed(i);
     add({at(i), at(i) + beyond, settled(i, fast, pilot_.from_stop)},
-        {task_.legs[i].item, Manoeuvre::overshoot});
+        {task_.legs[i].item, Manoeuvre::overshoot}, along(i, i + 1));
   }
 
   void pass(std::size_t i) {
@@ -203,14 +259,19 @@ class DriftMaker {
     if (pilot_.turns_by_s_curve) return pass_by_s_curve(i, fast, part);
     const double begin = std::hypot(radius(i), pilot_.height_acceptance);
     Hull hull{before_corner(at(i - 1), p, begin), p, settled(i, fast, pilot_.from_corner)};
-    for (const Vec3& from : task_.turns[i].from) hull.push_back(before_corner(from, p, begin));
-    add(std::move(hull), part);
+    Motion motion = along(i, i + 1);
+    for (const Vec3& from : task_.turns[i].from) {
+      hull.push_back(before_corner(from, p, begin));
+      const Vec3 way = p - from;
+      if (!way.isZero(0)) motion.velocity.push_back(way * (fast / way.norm()));
+    }
+    add(std::move(hull), part, std::move(motion));
     swing(i, fast, part);
     bulge(i, part);
     if (task_.hold[i] > 0) {
       add({before_corner(at(i - 1), p, begin), p + direction(i) * (pilot_.run_on * speed(i)),
            settled(i, fast, pilot_.from_corner)},
-          part);
+          part, along(i, i + 1));
     }
   }
 
@@ -222,7 +283,7 @@ class DriftMaker {
     const double begin = std::hypot(radius(i), pilot_.height_acceptance);
     add({before_corner(at(i - 1), at(i), begin), at(i), at(i + 1),
          settled(i + 1, speed(i + 2), pilot_.from_corner)},
-        part);
+        part, along(i, i + 2));
   }
 
   // While it speeds up it swings to either side of the new leg, most from 10 m to 40 m behind the
@@ -245,7 +306,7 @@ class DriftMaker {
         hull.push_back(at - by);
       }
     }
-    add(std::move(hull), part);
+    add(std::move(hull), part, along(i, i + 1));
   }
 
   // The blend of two S-curves bends one way: it leaves the old leg where that begins to slow down,
@@ -261,8 +322,8 @@ class DriftMaker {
     const Vec3 inward = out - in;
     const double turn = inward.norm();
     const Vec3 nearest = turn > 0 ? Vec3(p + inward * (pilot_.acceptance / turn)) : p;
-    add({begin, p, nearest}, part);
-    add({p, end, nearest}, part);
+    add({begin, p, nearest}, part, along(i, i + 1));
+    add({p, end, nearest}, part, along(i, i + 1));
     swing(i, fast, part);
   }
 
@@ -280,7 +341,7 @@ class DriftMaker {
       hull.push_back(p + outward);
       hull.push_back(hull[2] + outward);
     }
-    add(std::move(hull), part);
+    add(std::move(hull), part, along(i, i + 1));
   }
 
   // A payload's place: it sinks at once, off by what its stop was overshot.
@@ -305,13 +366,14 @@ class DriftMaker {
     const std::size_t last = task_.path.size() - 1;
     const Vec3& above = at(last);
     const double ground = *task_.ends.landing_on;
-    add_to_ground({above, {above.x(), above.y(), ground}}, task_.landing, ground);
+    const Motion motion = along(last, last + 1);
+    add_to_ground({above, {above.x(), above.y(), ground}}, task_.landing, ground, motion);
     if (last == 0) return;
     const bool moves = task_.legs[last].manoeuvre == Manoeuvre::landing || returns(last);
     const bool rests = !moves && task_.turns[last].kind == Turn::rest;
     Hull cone = sinking(above, rests ? above : at(last - 1), radius(last), ground);
     add_overshoot(last, ground, cone);
-    add_to_ground(std::move(cone), task_.landing, ground);
+    add_to_ground(std::move(cone), task_.landing, ground, motion);
     if (!returns(last) || last < 2 || at(last - 2).z() >= above.z()) return;
     // Within the cone of returns it comes back as low as it was.
     const double low = at(last - 2).z();
@@ -397,7 +459,8 @@ class DriftMaker {
   void end() {
     const std::size_t last = task_.path.size() - 1;
     if (last == 0) return;
-    add({at(last), at(last) + overshoot(last)}, {task_.legs[last].item, Manoeuvre::overshoot});
+    add({at(last), at(last) + overshoot(last)}, {task_.legs[last].item, Manoeuvre::overshoot},
+        along(last, last));
   }
 
   const Autopilot& pilot_;
@@ -407,7 +470,7 @@ class DriftMaker {
 
 }  // namespace
 
-std::vector<Sweep> drift_sweeps(const Autopilot& autopilot, const DriftTask& task) {
+Drift drift_of(const Autopilot& autopilot, const DriftTask& task) {
   return DriftMaker(autopilot, task).make();
 }
 

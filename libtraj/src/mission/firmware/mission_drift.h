@@ -30,6 +30,6 @@ struct DriftTask {
 
 // From the ground to the ground: the legs; beyond each stop, as far as it is overshot, and from
 // there to the next leg; corners, before and behind; where a take-off is left and a landing begins.
-std::vector<Sweep> drift_sweeps(const Autopilot& autopilot, const DriftTask& task);
+Drift drift_of(const Autopilot& autopilot, const DriftTask& task);
 
 }  // namespace traj

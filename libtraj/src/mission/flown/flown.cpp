@@ -14,7 +14,10 @@ void turn(Axes axes, std::vector<Vec3>& places) {
 }
 
 void turn(Axes axes, std::vector<Sweep>& sweeps) {
-  for (Sweep& sweep : sweeps) turn(axes, sweep.hull);
+  for (Sweep& sweep : sweeps) {
+    turn(axes, sweep.hull);
+    if (sweep.motion) turn(axes, sweep.motion->velocity);
+  }
 }
 
 void turn(Axes axes, FlownCurve& curve) {
@@ -43,6 +46,10 @@ void turn(Axes axes, FlownMission& mission) {
   for (Drift& drift : mission.drift) {
     turn(axes, drift.sweeps);
     drift.around = geom::to_enu(axes, drift.around);
+    for (TimedLeg& leg : drift.legs) {
+      leg.a = geom::to_enu(axes, leg.a);
+      leg.b = geom::to_enu(axes, leg.b);
+    }
   }
   for (Fence& fence : mission.fences) {
     for (geom::Vec2& p : fence.ring) p = geom::to_enu(axes, {p.x(), p.y(), 0}).head<2>();

@@ -82,7 +82,7 @@ std::vector<Drift> FlownTrack::drift(std::span<const Autopilot> autopilots,
   for (const Autopilot& autopilot : autopilots) {
     const DriftTask task{path_,   hold_,   legs_,    turns_,    speeds_,
                          sweeps_, landing, out.ends, out.rally, return_height};
-    all.push_back({autopilot.name, drift_sweeps(autopilot, task), autopilot.tracking});
+    all.push_back(drift_of(autopilot, task));
   }
   return all;
 }

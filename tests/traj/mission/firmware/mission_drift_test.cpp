@@ -34,7 +34,7 @@ struct Way {
     const DriftTask task{
         path, hold,  legs,         turns, speeds, sweeps, {path.size() + 1, Manoeuvre::landing},
         ends, rally, return_height};
-    return drift_sweeps(autopilot, task);
+    return drift_of(autopilot, task).sweeps;
   }
 };
 

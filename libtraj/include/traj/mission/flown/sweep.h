@@ -39,6 +39,7 @@ struct TimedLeg {
   Vec3 b;
   double from = 0;
   double until = 0;
+  FlightPart part = {};
 };
 
 // Where one autopilot may be while it flies a mission: anywhere in the sweeps, and within `around`

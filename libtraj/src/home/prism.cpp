@@ -1,0 +1,119 @@
+#include "traj/home/prism.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace traj {
+namespace {
+
+using geom::Aabb;
+
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+// Whether all corners of the plan lie beyond the box along `axis`, in coordinates from the box's
+// middle; `half` is the box's. Products and sums round by less than 8 units of the largest.
+bool apart_along(const std::vector<Vec2>& plan, const Vec2& middle, const Vec2& half,
+                 const Vec2& axis) {
+  constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
+  double least = std::numeric_limits<double>::infinity();
+  double largest = 0;
+  for (const Vec2& p : plan) {
+    const Vec2 d = p - middle;
+    least = std::min(least, d.dot(axis));
+    largest = std::max(
+        {largest, std::abs(p.x()) + std::abs(p.y()), std::abs(middle.x()) + std::abs(middle.y())});
+  }
+  const Vec2 size = axis.cwiseAbs();
+  const double reach = half.dot(size);
+  const double error = kRounding * size.maxCoeff() * (largest + half.sum());
+  return least - reach > 2 * error;
+}
+
+bool apart(const std::vector<Vec2>& plan, const Vec2& middle, const Vec2& half, const Vec2& axis) {
+  return apart_along(plan, middle, half, axis) || apart_along(plan, middle, half, -axis);
+}
+
+double distance_to_edge(const Vec2& a, const Vec2& b, const Vec2& p) {
+  const Vec2 way = b - a;
+  const double squared = way.squaredNorm();
+  const double s = squared > 0 ? std::clamp((p - a).dot(way) / squared, 0.0, 1.0) : 0;
+  return (a + s * way - p).norm();
+}
+
+}  // namespace
+
+std::vector<Vec2> plan_hull(std::vector<Vec2> points) {
+  const auto before = [](const Vec2& a, const Vec2& b) {
+    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+  };
+  std::sort(points.begin(), points.end(), before);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 3) return points;
+  std::vector<Vec2> hull;
+  const auto add = [&](const Vec2& p, std::size_t least) {
+    while (hull.size() >= least + 2 &&
+           cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0) {
+      hull.pop_back();
+    }
+    hull.push_back(p);
+  };
+  for (const Vec2& p : points) add(p, 0);
+  const std::size_t lower = hull.size() - 1;
+  for (auto p = points.rbegin() + 1; p != points.rend(); ++p) add(*p, lower);
+  hull.pop_back();
+  return hull;
+}
+
+Prism prism_around(std::span<const Vec3> points) {
+  Prism out{{}, points.front().z(), points.front().z()};
+  for (const Vec3& p : points) {
+    out.plan.push_back(p.head<2>());
+    out.low = std::min(out.low, p.z());
+    out.high = std::max(out.high, p.z());
+  }
+  out.plan = plan_hull(std::move(out.plan));
+  return out;
+}
+
+std::vector<Vec3> corners(const Prism& prism) {
+  std::vector<Vec3> out;
+  for (const double z : {prism.low, prism.high}) {
+    for (const Vec2& p : prism.plan) out.emplace_back(p.x(), p.y(), z);
+  }
+  return out;
+}
+
+bool meets(const Prism& prism, const Aabb& box) {
+  if (prism.low > box.max.z() || prism.high < box.min.z()) return false;
+  const Vec2 middle = 0.5 * (box.min + box.max).head<2>();
+  const Vec2 half = (box.max.head<2>() - middle).cwiseMax(middle - box.min.head<2>());
+  if (apart(prism.plan, middle, half, {1, 0}) || apart(prism.plan, middle, half, {0, 1})) {
+    return false;
+  }
+  for (std::size_t i = 0; i < prism.plan.size(); ++i) {
+    const Vec2 edge = prism.plan[(i + 1) % prism.plan.size()] - prism.plan[i];
+    if (apart(prism.plan, middle, half, {edge.y(), -edge.x()})) return false;
+  }
+  return true;
+}
+
+double distance(const std::vector<Vec2>& plan, const Vec2& p) {
+  double least = std::numeric_limits<double>::infinity();
+  bool inside = plan.size() > 2;
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    const Vec2& a = plan[i];
+    const Vec2& b = plan[(i + 1) % plan.size()];
+    least = std::min(least, distance_to_edge(a, b, p));
+    inside = inside && cross(b - a, p - a) >= 0;
+  }
+  return inside ? 0 : least;
+}
+
+double furthest(const std::vector<Vec2>& plan, const Vec2& p) {
+  double most = 0;
+  for (const Vec2& q : plan) most = std::max(most, (q - p).norm());
+  return most;
+}
+
+}  // namespace traj
