@@ -6,6 +6,7 @@
 #include "home/clear_hull.h"
 #include "home/way_choice.h"
 #include "home/way_time.h"
+#include "traj/home/prism.h"
 #include "traj/home/return_sweeps.h"
 
 namespace traj {
@@ -54,10 +55,10 @@ class Search {
   std::vector<Vec3> hull_of(const FlightStage& stage) const {
     std::vector<Vec3> out;
     for (const ReturnModel& model : task_.models) {
-      const std::vector<Vec3> hull = braking_hull(model, stage);
-      out.insert(out.end(), hull.begin(), hull.end());
+      const std::vector<Vec3> region = corners(braking_region(model, stage));
+      out.insert(out.end(), region.begin(), region.end());
     }
-    return out;
+    return corners(prism_around(out));
   }
 
   // Whether a way was found for the whole stage, the last one or another.
