@@ -6,8 +6,7 @@
 #include <limits>
 
 #include "geom/base/error.h"
-#include "geom/shape/hull.h"
-#include "home/clear_hull.h"
+#include "home/clear_region.h"
 #include "traj/curve/vertical_ends.h"
 
 namespace traj {
@@ -141,8 +140,8 @@ std::string landing_fault(const geom::CollisionScene& scene, const Vec3& above,
   if (above.head<2>() != ground.head<2>() || !(above.z() > ground.z())) {
     return "the way down is not straight";
   }
-  const std::vector<Vec3> down = {above, ground};
-  if (!scene.free(above) || !clear_hull(scene, down, ground.z())) {
+  const Prism down{{ground.head<2>()}, ground.z(), above.z()};
+  if (!scene.free(above) || !clear_region(scene, down, ground.z())) {
     return "the column above the site is not clear";
   }
   const LandingGround below = landing_ground(scene, above, margin_beside(scene), kLevelGround);

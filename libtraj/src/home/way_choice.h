@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "traj/home/prism.h"
 #include "traj/home/ways_home.h"
 
 namespace traj {
@@ -17,30 +18,39 @@ struct ChosenWay {
   double rest = 0;
 };
 
-// Metres of a way from the furthest of the places from which it is joined.
-double length_from(std::span<const Vec3> hull, const ChosenWay& way);
+// Where a vehicle comes to rest from a stage, and is until then.
+struct Braking {
+  Prism region;
+  std::vector<Vec3> corners;
+  Vec3 middle = Vec3::Zero();  // a place of the region
+  std::optional<double> stands_on = {};
+};
+Braking braking_of(std::span<const ReturnModel> models, const FlightStage& stage);
 
-// The middle of places: in their hull.
-Vec3 mean(std::span<const Vec3> hull);
+// Metres of a way from the furthest place of the region.
+double length_from(const Braking& from, const ChosenWay& way);
 
-// Looks for ways from places (a hull that is clear itself) to the sites of a task.
+// Looks for ways from regions that are clear themselves to the sites of a task.
 class WayChoice {
  public:
   // Both must outlive this.
   WayChoice(const geom::CollisionScene& scene, const WaysTask& task) : scene_(scene), task_(task) {}
 
-  // The shortest that was found. It can be joined straight from every place of the hull.
-  std::optional<ChosenWay> choose(std::span<const Vec3> hull) const;
+  // The shortest that was found. It can be joined straight from every place of the region.
+  std::optional<ChosenWay> choose(const Braking& from) const;
+
+  // Whether every straight way from the region to a place is clear.
+  bool joins(const Braking& from, const Vec3& to) const;
 
   // Metres straight to the nearest site and down.
   double straight(const Vec3& from) const;
 
  private:
   double straight(const Vec3& from, const LandingSite& site) const;
-  std::optional<ChosenWay> level_way(std::span<const Vec3> hull, std::size_t site) const;
-  std::optional<geom::Polyline> at_height(std::span<const Vec3> hull, const LandingSite& site,
+  std::optional<ChosenWay> level_way(const Braking& from, std::size_t site) const;
+  std::optional<geom::Polyline> at_height(const Braking& from, const LandingSite& site,
                                           double z) const;
-  std::optional<ChosenWay> planned(std::span<const Vec3> hull, std::size_t site) const;
+  std::optional<ChosenWay> planned(const Braking& from, std::size_t site) const;
   bool each_leg_free(const geom::Polyline& path) const;
 
   const geom::CollisionScene& scene_;

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "home/clear_hull.h"
+#include "home/clear_region.h"
 #include "home/way_choice.h"
 #include "home/way_time.h"
-#include "traj/home/prism.h"
-#include "traj/home/return_sweeps.h"
 
 namespace traj {
 namespace {
@@ -20,12 +18,6 @@ double fastest(const FlightStage& stage) {
   for (const Vec3& v : stage.velocity) most = std::max(most, v.norm());
   return most;
 }
-
-// A stage and where the vehicle is until it rests.
-struct Braked {
-  const FlightStage& stage;
-  std::vector<Vec3> hull;
-};
 
 class Search {
  public:
@@ -44,65 +36,55 @@ class Search {
 
  private:
   void cover(const FlightStage& stage) {
-    const Braked braked{stage, hull_of(stage)};
-    if (clear_hull(scene_, braked.hull, stage.stands_on) && found(braked)) return;
+    const Braking from = braking_of(task_.models, stage);
+    if (clear_region(scene_, from.region, stage.stands_on) && found(stage, from)) return;
     const auto parts = extent(stage) > task_.finest ? halves(stage) : std::nullopt;
     if (!parts) return add_gap(stage);
     cover(parts->first);
     cover(parts->second);
   }
 
-  std::vector<Vec3> hull_of(const FlightStage& stage) const {
-    std::vector<Vec3> out;
-    for (const ReturnModel& model : task_.models) {
-      const std::vector<Vec3> region = corners(braking_region(model, stage));
-      out.insert(out.end(), region.begin(), region.end());
-    }
-    return corners(prism_around(out));
-  }
-
   // Whether a way was found for the whole stage, the last one or another.
-  bool found(const Braked& braked) {
-    const bool shares = current_ && clear_join(scene_, braked.hull, current_->points.front(),
-                                               braked.stage.stands_on);
-    const double length = shares ? length_from(braked.hull, *current_) : 0;
-    const double straight = choice_.straight(mean(braked.hull));
-    if (shares && length <= task_.detour * straight + kShareSlack) return extend(braked);
-    auto fresh = choice_.choose(braked.hull);
-    if (shares && (!fresh || length_from(braked.hull, *fresh) > kMuchShorter * length)) {
-      return extend(braked);
+  bool found(const FlightStage& stage, const Braking& from) {
+    const bool shares = current_ && choice_.joins(from, current_->points.front());
+    const double length = shares ? length_from(from, *current_) : 0;
+    const double straight = choice_.straight(from.middle);
+    if (shares && length <= task_.detour * straight + kShareSlack) return extend(stage, from);
+    auto fresh = choice_.choose(from);
+    if (shares && (!fresh || length_from(from, *fresh) > kMuchShorter * length)) {
+      return extend(stage, from);
     }
     if (!fresh) return false;
     current_ = std::move(fresh);
-    out_.ways.push_back({braked.stage.from, braked.stage.from, current_->site, current_->points});
-    return extend(braked);
+    out_.ways.push_back({stage.from, stage.from, current_->site, current_->points});
+    return extend(stage, from);
   }
 
-  bool extend(const Braked& braked) {
+  bool extend(const FlightStage& stage, const Braking& from) {
     WayHome& way = out_.ways.back();
-    way.until = braked.stage.until;
-    way.length = std::max(way.length, length_from(braked.hull, *current_));
-    const double duration = duration_of(braked);
+    way.until = stage.until;
+    way.length = std::max(way.length, length_from(from, *current_));
+    const double duration = duration_of(stage, from);
     way.duration = std::max(way.duration, duration);
-    depart(way, braked.stage, duration);
+    depart(way, stage, duration);
     return true;
   }
 
   // At most, by any of the models.
-  double duration_of(const Braked& braked) const {
+  double duration_of(const FlightStage& stage, const Braking& from) const {
     double most = 0;
     for (std::size_t i = 0; i < task_.models.size(); ++i) {
       const ReturnModel& model = task_.models[i];
       const geom::Polyline& points = current_->points;
       double join = 0;
-      for (const Vec3& p : braked.hull) {
+      for (const Vec3& p : from.corners) {
         join = std::max(join, leg_time(model, speeds_[i], p, points.front()));
       }
       double along = landing_time(points[points.size() - 2].z() - points.back().z());
       for (std::size_t leg = 1; leg + 1 < points.size(); ++leg) {
         along += leg_time(model, speeds_[i], points[leg - 1], points[leg]);
       }
-      most = std::max(most, braking_time(model, fastest(braked.stage)) + join + along);
+      most = std::max(most, braking_time(model, fastest(stage)) + join + along);
     }
     return most;
   }
@@ -121,7 +103,7 @@ class Search {
     if (!out_.gaps.empty() && out_.gaps.back().until == stage.from) {
       out_.gaps.back().until = stage.until;
     } else {
-      out_.gaps.push_back({stage.from, stage.until, mean(stage.where)});
+      out_.gaps.push_back({stage.from, stage.until, stage.where.front()});
     }
   }
 
