@@ -40,8 +40,8 @@ void read_way(const geom::JsonFields& fields, ContingencyRecord& record) {
   record.duration = at_least_zero(fields, "duration");
   record.bounds_energy = fields.object().contains("latest_departure");
   record.latest_departure = fields.number("latest_departure");
-  if (record.latest_departure && !(*record.latest_departure >= record.from &&
-                                   *record.latest_departure <= record.until)) {
+  if (record.latest_departure &&
+      !(*record.latest_departure >= record.from && *record.latest_departure <= record.until)) {
     fields.refuse({.key = "latest_departure",
                    .expected = "between from and until",
                    .found = fmt::to_string(*record.latest_departure)});
@@ -117,10 +117,9 @@ std::vector<ContingencyRecord> contingency_records(const std::string& id, const 
         fmt::format("no way home was found from near ({:.2f}, {:.2f}, {:.2f})", gap.place.x(),
                     gap.place.y(), gap.place.z());
   }
-  std::stable_sort(out.begin(), out.end(), [](const ContingencyRecord& a,
-                                              const ContingencyRecord& b) {
-    return a.from < b.from;
-  });
+  std::stable_sort(
+      out.begin(), out.end(),
+      [](const ContingencyRecord& a, const ContingencyRecord& b) { return a.from < b.from; });
   return out;
 }
 

@@ -1,10 +1,8 @@
 #include "home/way_choice.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "home/clear_region.h"
-#include "traj/home/return_sweeps.h"
 
 namespace traj {
 namespace {
@@ -20,21 +18,6 @@ ChosenWay chosen(std::size_t site, geom::Polyline points) {
 }
 
 }  // namespace
-
-Braking braking_of(std::span<const ReturnModel> models, const FlightStage& stage) {
-  std::vector<Vec3> all;
-  for (const ReturnModel& model : models) {
-    const std::vector<Vec3> one = corners(braking_region(model, stage));
-    all.insert(all.end(), one.begin(), one.end());
-  }
-  Braking out;
-  out.region = prism_around(all);
-  out.corners = corners(out.region);
-  out.middle = std::accumulate(out.corners.begin(), out.corners.end(), Vec3(Vec3::Zero())) /
-               static_cast<double>(out.corners.size());
-  out.stands_on = stage.stands_on;
-  return out;
-}
 
 double length_from(const Braking& from, const ChosenWay& way) {
   double furthest = 0;

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "traj/home/prism.h"
+#include "home/braking.h"
 #include "traj/home/ways_home.h"
 
 namespace traj {
@@ -17,15 +17,6 @@ struct ChosenWay {
   geom::Polyline points;
   double rest = 0;
 };
-
-// Where a vehicle comes to rest from a stage, and is until then.
-struct Braking {
-  Prism region;
-  std::vector<Vec3> corners;
-  Vec3 middle = Vec3::Zero();  // a place of the region
-  std::optional<double> stands_on = {};
-};
-Braking braking_of(std::span<const ReturnModel> models, const FlightStage& stage);
 
 // Metres of a way from the furthest place of the region.
 double length_from(const Braking& from, const ChosenWay& way);

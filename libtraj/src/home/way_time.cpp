@@ -18,8 +18,6 @@ double ramp(const ReturnModel& model, double speed) {
   return speed / model.deceleration + model.deceleration / model.jerk;
 }
 
-}  // namespace
-
 WaySpeeds way_speeds(const ReturnModel& model, const geom::Limits& limits,
                      const std::optional<Energy>& energy) {
   WaySpeeds out{model.speed, model.speed, model.climb, model.descent};
@@ -47,12 +45,35 @@ double braking_time(const ReturnModel& model, double speed) {
   return model.reaction + model.overshoot_time + ramp(model, speed);
 }
 
+// From rest to rest.
 double leg_time(const ReturnModel& model, const WaySpeeds& speeds, const Vec3& a, const Vec3& b) {
   const Vec3 leg = b - a;
   const double rise = leg.z() > 0 ? leg.z() / speeds.climb : -leg.z() / speeds.descent;
   return leg.head<2>().norm() / speeds.across + rise + ramp(model, speeds.fastest);
 }
 
-double landing_time(double height) { return height / kLandingSpeed; }
+}  // namespace
+
+WayTime::WayTime(std::span<const ReturnModel> models, const geom::Limits& limits,
+                 const std::optional<Energy>& energy)
+    : models_(models) {
+  for (const ReturnModel& model : models) speeds_.push_back(way_speeds(model, limits, energy));
+}
+
+double WayTime::at_most(const Braking& from, const geom::Polyline& points) const {
+  double most = 0;
+  for (std::size_t i = 0; i < models_.size(); ++i) {
+    double join = 0;
+    for (const Vec3& p : from.corners) {
+      join = std::max(join, leg_time(models_[i], speeds_[i], p, points.front()));
+    }
+    double along = (points[points.size() - 2].z() - points.back().z()) / kLandingSpeed;
+    for (std::size_t leg = 1; leg + 1 < points.size(); ++leg) {
+      along += leg_time(models_[i], speeds_[i], points[leg - 1], points[leg]);
+    }
+    most = std::max(most, braking_time(models_[i], from.speed) + join + along);
+  }
+  return most;
+}
 
 }  // namespace traj

@@ -4,15 +4,17 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "geom/shape/polyline.h"
 #include "geom/vehicle/limits.h"
+#include "home/braking.h"
 #include "traj/flight/energy.h"
 #include "traj/home/return_model.h"
 
 namespace traj {
 
-// The speeds that one autopilot keeps to on a way home, m/s.
+// The speeds that an autopilot keeps to on a way home, m/s.
 struct WaySpeeds {
   double across = 0;   // over the ground, against the wind
   double fastest = 0;  // without wind
@@ -20,15 +22,20 @@ struct WaySpeeds {
   double descent = 0;
 };
 
-// Throws InputError where the wind leaves no speed.
-WaySpeeds way_speeds(const ReturnModel& model, const geom::Limits& limits,
-                     const std::optional<Energy>& energy);
+// By whichever of some models flies.
+class WayTime {
+ public:
+  // `models` must outlive this. Throws InputError where the wind leaves a model no speed.
+  WayTime(std::span<const ReturnModel> models, const geom::Limits& limits,
+          const std::optional<Energy>& energy);
 
-// Seconds from a speed, m/s, to rest.
-double braking_time(const ReturnModel& model, double speed);
+  // Seconds from the order, anywhere in a stage, until it stands on the ground at the last of
+  // `points`, at most; at least two points.
+  double at_most(const Braking& from, const geom::Polyline& points) const;
 
-// Seconds along a leg from rest to rest, and for a way down to the ground.
-double leg_time(const ReturnModel& model, const WaySpeeds& speeds, const Vec3& a, const Vec3& b);
-double landing_time(double height);
+ private:
+  std::span<const ReturnModel> models_;
+  std::vector<WaySpeeds> speeds_;
+};
 
 }  // namespace traj

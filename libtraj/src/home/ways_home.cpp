@@ -13,20 +13,13 @@ namespace {
 constexpr double kShareSlack = 50;    // m by which a shared way may be longer in any case
 constexpr double kMuchShorter = 0.8;  // of a shared way's length: then another one is taken
 
-double fastest(const FlightStage& stage) {
-  double most = 0;
-  for (const Vec3& v : stage.velocity) most = std::max(most, v.norm());
-  return most;
-}
-
 class Search {
  public:
   Search(const geom::CollisionScene& scene, const WaysTask& task)
-      : scene_(scene), task_(task), choice_(scene, task) {
-    for (const ReturnModel& model : task.models) {
-      speeds_.push_back(way_speeds(model, scene.vehicle().limits, task.energy));
-    }
-  }
+      : scene_(scene),
+        task_(task),
+        choice_(scene, task),
+        time_(task.models, scene.vehicle().limits, task.energy) {}
 
   WaysHome of(std::span<const FlightStage> stages) && {
     if (!stages.empty()) out_.duration = stages.back().until - stages.front().from;
@@ -64,29 +57,10 @@ class Search {
     WayHome& way = out_.ways.back();
     way.until = stage.until;
     way.length = std::max(way.length, length_from(from, *current_));
-    const double duration = duration_of(stage, from);
+    const double duration = time_.at_most(from, current_->points);
     way.duration = std::max(way.duration, duration);
     depart(way, stage, duration);
     return true;
-  }
-
-  // At most, by any of the models.
-  double duration_of(const FlightStage& stage, const Braking& from) const {
-    double most = 0;
-    for (std::size_t i = 0; i < task_.models.size(); ++i) {
-      const ReturnModel& model = task_.models[i];
-      const geom::Polyline& points = current_->points;
-      double join = 0;
-      for (const Vec3& p : from.corners) {
-        join = std::max(join, leg_time(model, speeds_[i], p, points.front()));
-      }
-      double along = landing_time(points[points.size() - 2].z() - points.back().z());
-      for (std::size_t leg = 1; leg + 1 < points.size(); ++leg) {
-        along += leg_time(model, speeds_[i], points[leg - 1], points[leg]);
-      }
-      most = std::max(most, braking_time(model, fastest(stage)) + join + along);
-    }
-    return most;
   }
 
   // Moves the latest departure on, unless it ended before.
@@ -110,7 +84,7 @@ class Search {
   const geom::CollisionScene& scene_;
   const WaysTask& task_;
   WayChoice choice_;
-  std::vector<WaySpeeds> speeds_;     // of the models
+  WayTime time_;
   std::optional<ChosenWay> current_;  // that of the last in out_.ways
   WaysHome out_;
 };

@@ -22,11 +22,11 @@
 namespace traj {
 
 struct ContingencyRecord {
-  std::string id;                 // of the flight
-  double from = 0;                // s of the flight, closed
-  double until = 0;               // s, not before `from`
-  std::string site = {};          // where it lands
-  geom::Polyline points = {};     // WayHome::points; empty: no way was found from these instants
+  std::string id;              // of the flight
+  double from = 0;             // s of the flight, closed
+  double until = 0;            // s, not before `from`
+  std::string site = {};       // where it lands
+  geom::Polyline points = {};  // WayHome::points; empty: no way was found from these instants
   std::optional<double> length = {};    // m, as in WayHome
   std::optional<double> duration = {};  // s
   bool bounds_energy = false;           // whether there is an energy for what follows
