@@ -17,9 +17,8 @@
 #include "geom/text/json_fields.h"
 #include "geom/text/record_lines.h"
 #include "traj/home/contingency_record.h"
-#include "traj/home/path_stages.h"
+#include "traj/home/home_flight.h"
 #include "traj/home/ways_home.h"
-#include "traj/record/trajectory_record.h"
 
 namespace planning {
 namespace {
@@ -56,25 +55,6 @@ struct Totals {
   }
 };
 
-// A flight, and when it has none, why.
-struct Flight {
-  std::string id;
-  geom::Provenance provenance;
-  std::vector<traj::FlightStage> stages;
-  std::string without = {};
-};
-
-// m/s with which the vehicle flies paths.
-double path_speed(const std::optional<double>& asked, const geom::Limits& limits) {
-  std::optional<double> speed = asked;
-  for (const geom::Limit limit : {geom::Limit::speed, geom::Limit::horizontal_speed}) {
-    if (!asked && limits[limit]) speed = std::min(speed.value_or(*limits[limit]), *limits[limit]);
-  }
-  if (speed) return *speed;
-  throw cli::UsageError(
-      "the speed of the paths is not known: give --vmax, or a vehicle whose profile has vmax");
-}
-
 // Ways home for flights of any vehicle over one map.
 class WaysPlanner {
  public:
@@ -87,24 +67,32 @@ class WaysPlanner {
   };
 
   WaysPlanner(cli::Scenes& scenes, const cli::MetresOption& metres, Options options)
-      : scenes_(scenes), metres_(metres), options_(std::move(options)) {
-    for (const traj::ReturnModel& model : options_.models) {
-      stray_ = std::max(stray_, model.around.maxCoeff());
-    }
-  }
+      : scenes_(scenes), metres_(metres), options_(std::move(options)) {}
 
   struct Answer {
-    Flight flight;
-    traj::WaysHome home;
+    traj::HomeFlight flight;
+    traj::WaysHome home = {};
     bool complete = false;
-    std::vector<traj::ContingencyRecord> records;
+    std::vector<traj::ContingencyRecord> records = {};
   };
 
+  // Threads may call at once.
   Answer answer(const std::string& text, const std::string& source, std::size_t line) {
-    const geom::JsonFields fields(text, source, line);
-    const bool is_path = fields.text("type") == "path";
-    return is_path ? path(geom::read_path_record(fields), source, line)
-                   : trajectory(traj::read_trajectory_record(fields), source, line);
+    Answer out{traj::read_home_flight(geom::JsonFields(text, source, line), options_.vmax)};
+    if (out.flight.stages.empty()) {
+      traj::ContingencyRecord& record = out.records.emplace_back();
+      record.id = out.flight.id;
+      record.message = out.flight.without;
+      record.provenance = out.flight.provenance;
+      return out;
+    }
+    const auto base = base_for(out.flight.provenance, source, line);
+    metres_.check_input(scenes_.map().spec().frame, out.flight.places(), source, line);
+    out.home = traj::ways_home(*base->scene, out.flight.stages, base->task);
+    out.complete = traj::complete(out.home, base->task);
+    out.records = traj::contingency_records(out.flight.id, out.home, base->task,
+                                            geom::provenance_of(*base->scene));
+    return out;
   }
 
  private:
@@ -115,49 +103,11 @@ class WaysPlanner {
     traj::WaysTask task;
   };
 
-  Answer path(const geom::PathRecord& record, const std::string& source, std::size_t line) {
-    if (record.status != geom::PathStatus::found) {
-      return without({record.id, record.provenance, {}, "it has no path"});
-    }
-    const auto base = base_for(record.provenance, source, line);
-    metres_.check_input(scenes_.map().spec().frame, record.points, source, line);
-    const double speed = path_speed(options_.vmax, base->scene->vehicle().limits);
-    return home(*base, {record.id, record.provenance, traj::stages_of(record, speed)});
-  }
-
-  Answer trajectory(const traj::TrajectoryRecord& record, const std::string& source,
-                    std::size_t line) {
-    if (record.status != traj::TrajectoryStatus::solved) {
-      return without({record.id, record.provenance, {}, "it has no trajectory"});
-    }
-    const auto base = base_for(record.provenance, source, line);
-    metres_.check_input(scenes_.map().spec().frame, record.trajectory, source, line);
-    return home(*base, {record.id, record.provenance, traj::stages_of(record.trajectory)});
-  }
-
-  static Answer without(Flight flight) {
-    traj::ContingencyRecord record{.id = flight.id};
-    record.message = flight.without;
-    record.provenance = flight.provenance;
-    Answer out{std::move(flight), {}, false, {}};
-    out.records.push_back(std::move(record));
-    return out;
-  }
-
-  static Answer home(const Base& base, Flight flight) {
-    Answer out;
-    out.home = traj::ways_home(*base.scene, flight.stages, base.task);
-    out.complete = traj::complete(out.home, base.task);
-    out.records = traj::contingency_records(flight.id, out.home, base.task,
-                                            geom::provenance_of(*base.scene));
-    out.flight = std::move(flight);
-    return out;
-  }
-
   // The margin is at least what autopilots stray.
   std::shared_ptr<const Base> base_for(geom::Provenance provenance, const std::string& source,
                                        std::size_t line) {
-    provenance.margin = std::max(provenance.margin.value_or(0), stray_);
+    provenance.margin =
+        std::max(provenance.margin.value_or(0), traj::least_margin(options_.models));
     const auto scene = scenes_.shared_scene_for(provenance, source, line);
     const std::lock_guard lock(mutex_);
     auto& base = bases_[scene.get()];
@@ -175,9 +125,9 @@ class WaysPlanner {
     }
     plan::PlanOptions search;
     search.quality = options_.quality;
-    out->task.plan = [planner = out->planner.get(), search](const geom::Vec3& from,
-                                                            const traj::LandingSite& site)
-        -> std::optional<geom::Polyline> {
+    out->task.plan = [planner = out->planner.get(), search](
+                         const geom::Vec3& from,
+                         const traj::LandingSite& site) -> std::optional<geom::Polyline> {
       plan::PlanResult result = planner->plan(from, site.above, search);
       if (result.status != geom::PathStatus::found) return std::nullopt;
       return std::move(result.path);
@@ -189,7 +139,6 @@ class WaysPlanner {
   cli::Scenes& scenes_;
   const cli::MetresOption& metres_;
   Options options_;
-  double stray_ = 0;  // m
   std::mutex mutex_;  // guards what follows
   std::map<const geom::CollisionScene*, std::shared_ptr<const Base>> bases_;
 };
@@ -226,8 +175,7 @@ void HomeOption::add_to(CLI::App& app) {
   auto* home = app.add_option("--home", sites_,
                               "landing sites, GeoJSON points and polygons: plan ways home from "
                               "every instant of FLIGHTS");
-  app.add_option("flights", flights_,
-                 "with --home: trajectories or paths (default: stdin)")
+  app.add_option("flights", flights_, "with --home: trajectories or paths (default: stdin)")
       ->needs(home);
   app.add_flag("--home-local", local_,
                "coordinates of the landing sites are the map's own metres, not degrees")
@@ -243,10 +191,10 @@ void HomeOption::refuse_idle(const CLI::App& app) const {
   cli::only_for(app, asked(), {"--autopilot", "--params", "--drag", "--navigation"}, "--home");
   if (!asked()) return;
   cli::only_for(app, false,
-                {"--queries", "--from", "--to", "--lattice", "--roadmap", "--raw", "--resample",
-                 "--snap-ends", "--method", "--spacing", "--connect", "--step", "--goal-bias",
-                 "--iterations", "--radius", "--patience", "--seconds", "--seed", "--bound",
-                 "--certificate", "--layers", "--tree"},
+                {"--queries",   "--from",        "--to",     "--lattice",  "--roadmap", "--raw",
+                 "--resample",  "--snap-ends",   "--method", "--spacing",  "--connect", "--step",
+                 "--goal-bias", "--iterations",  "--radius", "--patience", "--seconds", "--seed",
+                 "--bound",     "--certificate", "--layers", "--tree"},
                 "paths between two places: leave --home out");
 }
 
@@ -254,11 +202,9 @@ cli::Exit HomeOption::plan(const Run& run) {
   cli::VehicleOptions vehicle = run.vehicle;
   autopilot_.settle(vehicle.profile());
   WaysPlanner::Options options;
-  for (const traj::Autopilot& one : autopilot_.flier.autopilots) {
-    options.models.push_back(traj::return_model(one));
-    if (vehicle.margin) {
-      vehicle.margin = std::max(*vehicle.margin, options.models.back().around.maxCoeff());
-    }
+  options.models = traj::return_models(autopilot_.flier);
+  if (vehicle.margin) {
+    vehicle.margin = std::max(*vehicle.margin, traj::least_margin(options.models));
   }
   options.vmax = vmax_;
   options.quality = run.quality.value_or(plan::Quality::fast);
@@ -267,7 +213,8 @@ cli::Exit HomeOption::plan(const Run& run) {
       cli::Scenes::Differences::stricter_allowed);
   cli::InputFile drawn(sites_);
   options.source = drawn.name();
-  options.sites = traj::read_sites(drawn.stream(), drawn.name(), scenes.map().spec().frame, {local_});
+  options.sites =
+      traj::read_sites(drawn.stream(), drawn.name(), scenes.map().spec().frame, {local_});
 
   WaysPlanner planner(scenes, run.metres, std::move(options));
   cli::InputFile file(flights_);

@@ -18,7 +18,7 @@ Braking braking_of(std::span<const ReturnModel> models, const FlightStage& stage
   out.corners = corners(out.region);
   out.middle = std::accumulate(out.corners.begin(), out.corners.end(), Vec3(Vec3::Zero())) /
                static_cast<double>(out.corners.size());
-  for (const Vec3& v : stage.velocity) out.speed = std::max(out.speed, v.norm());
+  for (const Velocity& v : stage.velocity) out.speed = std::max(out.speed, v.value.norm());
   out.stands_on = stage.stands_on;
   return out;
 }
