@@ -135,10 +135,11 @@ ReportRecord check_contingencies(const geom::CollisionScene& scene, const std::s
                                  std::span<const FlightStage> stages,
                                  std::span<const ContingencyRecord> records,
                                  const ContingencyRules& rules) {
-  ReportRecord report{.id = id, .checked = "contingency"};
+  ReportRecord report{.id = id, .checked = std::string(kCheckedContingency)};
   report.provenance = geom::provenance_of(scene);
   if (stages.empty()) {
     report.result.reason = Reason::no_path;
+    report.detail = "it has no flight, and so no way home";
     return report;
   }
   report.result.duration = stages.back().until - stages.front().from;

@@ -5,7 +5,7 @@
 // Example:
 //   const geom::PathRecord record{.id = "q1", .status = geom::PathStatus::found, .points = path};
 //   const std::vector<traj::FlightStage> stages = traj::stages_of(record, 5);  // m/s
-//   assert(stages.back().until == geom::length(path) / 5);
+//   assert(stages.size() == path.size() - 1);
 
 #include <optional>
 #include <span>
