@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace traj {
 namespace {
 
 using Plan = std::vector<Vec2>;
 
+constexpr double kNone = std::numeric_limits<double>::infinity();
 constexpr double kVerticalBraking = 2.5;  // m/s2, less than autopilots brake with
-constexpr double kSteepestSure = 2;       // of a cone: PX4 keeps to it near the place
 constexpr double kRoomAtRest = 0.3;       // m beside a rest by which it may be off
 constexpr double kSlowestLanding = 0.3;   // m/s, of both firmwares near the ground
 
@@ -61,6 +62,37 @@ double overshot(const ReturnModel& model) {
   return model.overshoot_time * model.speed + model.overshoot;
 }
 
+// The part of a plan on the left of the line from a to b.
+Plan left_of(const Plan& plan, const Vec2& a, const Vec2& b) {
+  const auto side = [&](const Vec2& p) {
+    const Vec2 way = b - a;
+    return way.x() * (p.y() - a.y()) - way.y() * (p.x() - a.x());
+  };
+  Plan out;
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    const Vec2& p = plan[i];
+    const Vec2& q = plan[(i + 1) % plan.size()];
+    const double here = side(p);
+    const double there = side(q);
+    if (here >= 0) out.push_back(p);
+    if ((here < 0) != (there < 0)) out.push_back(p + (q - p) * (here / (here - there)));
+  }
+  return plan_hull(std::move(out));
+}
+
+// No point of the plan within `radius` of the middle is left out: an octagon around the circle.
+Plan within(Plan plan, const Vec2& middle, double radius) {
+  constexpr int kSides = 8;
+  constexpr double kRounding = 1 + 1e-9;
+  const double half = std::numbers::pi / kSides;
+  const double corner = kRounding * radius / std::cos(half);
+  const auto at = [&](int i) -> Vec2 {
+    return middle + corner * Vec2(std::cos(2 * half * i), std::sin(2 * half * i));
+  };
+  for (int i = 0; i < kSides && !plan.empty(); ++i) plan = left_of(plan, at(i), at(i + 1));
+  return plan;
+}
+
 // The return of one stage to one place.
 class Return {
  public:
@@ -69,57 +101,74 @@ class Return {
         stage_(stage),
         place_(place),
         target_(place.ground.head<2>()),
-        braking_(braking_region(model, stage)) {
-    const double height = model.rally_adds || place.above_ground == 0
-                              ? place.ground.z() + place.above_ground + model.height
-                              : place.ground.z() + std::max(model.height, place.above_ground);
-    top_low_ = std::max(height, braking_.low + model.least_climb);
-    top_high_ = std::max(height, braking_.high + model.least_climb);
-    low_ = lowest(height);
+        braking_(braking_region(model, stage)),
+        end_(widened({target_}, overshot(model))),
+        way_(hull_of_both(braking_.plan, end_)) {
+    set_heights();
   }
 
   std::vector<ReturnSweep> sweeps() const {
+    const double ground = place_.ground.z();
     std::vector<ReturnSweep> out{{braking_, ReturnPhase::braking, stage_.stands_on}};
-    out.push_back({{braking_.plan, braking_.low, top_high_}, ReturnPhase::climb, stage_.stands_on});
-    const Plan end = widened({target_}, overshot(model_));
-    out.push_back(
-        {{hull_of_both(braking_.plan, end), low_, top_high_}, ReturnPhase::way, stage_.stands_on});
-    out.push_back({sinking(), ReturnPhase::descent, place_.ground.z()});
-    out.push_back({{end, std::min(place_.ground.z(), low_), top_high_},
-                   ReturnPhase::descent,
-                   place_.ground.z()});
+    out.push_back({{braking_.plan, braking_.low, top_}, ReturnPhase::climb, stage_.stands_on});
+    out.push_back({{way_, low_, top_}, ReturnPhase::way, stage_.stands_on});
+    out.push_back({sinking(), ReturnPhase::descent, ground});
+    out.push_back({{end_, std::min(ground, low_), top_}, ReturnPhase::descent, ground});
     return out;
   }
 
  private:
-  // The lowest that it may go across: at the return's height, or in the cone at what that is there;
-  // and as far below as it counts as there.
-  double lowest(double height) const {
-    const double away = distance(braking_.plan, target_);
-    double low = top_low_;
-    if (model_.low_within > 0 && away < model_.low_within) low = braking_.low;
-    if (model_.slope > 0) {
-      const double cone = place_.ground.z() + std::min(model_.slope, kSteepestSure) * away;
-      low = std::min(low, std::max(braking_.low, std::min(height, cone)));
-    }
-    return std::max(low - model_.under, std::min(braking_.low, place_.ground.z()));
+  // The firmware measures its height and its distance when it is told to return, or at the place
+  // where it will rest; it may be off the stage by `around`.
+  void set_heights() {
+    const double ground = place_.ground.z();
+    base_ = model_.rally_adds ? ground + place_.above_ground : ground;
+    const double full =
+        model_.rally_adds ? model_.height : std::max(model_.height, place_.above_ground);
+    const double off = model_.around.head<2>().norm();
+    nearest_ = std::max(0.0, distance(braking_.plan, target_) - off);
+    const double furthest = traj::furthest(braking_.plan, target_) + off;
+    const double whole = model_.rally_adds ? full : std::max(model_.height, std::floor(full));
+    HeightRange climbs = return_heights(model_, full, nearest_, furthest);
+    climbs.least =
+        return_heights(model_, whole, nearest_, furthest).least;  // it keeps metres alone
+    const double ceiling = model_.ceiling ? ground + *model_.ceiling : kNone;
+    const double own = braking_.low + std::max(0.0, model_.least_climb - model_.under);
+    low_ = std::max(own, base_ + climbs.least - model_.under);
+    low_ = std::max(braking_.low, std::min(low_, ceiling - model_.under));
+    top_ = std::max(base_ + climbs.most, braking_.high + model_.least_climb);
+    top_ = std::max(braking_.high, std::min(top_, ceiling));
+    if (sinks_to_descend()) low_ = std::min(low_, base_ + model_.cone.descend);
   }
 
+  bool sinks_to_descend() const { return model_.cone.px4_1_11 && nearest_ <= model_.cone.near; }
+
   // Sinking begins within the radius of the place, from any side from which it may come, and goes
-  // on while it comes nearer.
+  // on while it comes nearer. If it is there when it is told to return, it sinks while it slows
+  // down, and on its way back.
   Prism sinking() const {
-    const double side = overshot(model_);
-    Plan plan = widened({target_}, side);
-    for (const Vec2& from : braking_.plan) {
-      const Vec2 way = from - target_;
-      const double length = way.norm();
-      const double share = length > model_.acceptance ? model_.acceptance / length : 1;
-      const Plan begin = widened({target_ + share * way}, side);
-      plan.insert(plan.end(), begin.begin(), begin.end());
+    Plan plan = within(way_, target_, model_.acceptance + overshot(model_));
+    plan.insert(plan.end(), end_.begin(), end_.end());
+    double fall = model_.fall;
+    if (nearest_ <= model_.acceptance) {
+      plan.insert(plan.end(), braking_.plan.begin(), braking_.plan.end());
+      fall += model_.descent * seconds_back();
     }
     const double ground = place_.ground.z();
-    return {plan_hull(std::move(plan)), std::min(low_, std::max(ground, low_ - model_.fall)),
-            top_high_};
+    const double begin = model_.aslant ? std::min(low_, base_ + model_.cone.descend) : low_;
+    return {plan_hull(std::move(plan)), std::min(low_, std::max(ground, begin - fall)), top_};
+  }
+
+  // From the order until it is back above its place: to rest, and the way with the usual speed.
+  double seconds_back() const {
+    double fastest = 0;
+    for (const Velocity& v : stage_.velocity) {
+      fastest = std::max(fastest, v.value.head<2>().norm());
+    }
+    const double rest =
+        model_.reaction + fastest / model_.deceleration + model_.deceleration / model_.jerk;
+    const double faster = model_.speed / model_.deceleration + model_.deceleration / model_.jerk;
+    return rest + faster + furthest(braking_.plan, target_) / model_.speed;
   }
 
   const ReturnModel& model_;
@@ -127,9 +176,12 @@ class Return {
   const ReturnPlace& place_;
   Vec2 target_;
   Prism braking_;
-  double top_low_ = 0;   // the least height to which it climbs
-  double top_high_ = 0;  // and the greatest
-  double low_ = 0;       // the least at which it goes across
+  Plan end_;  // above its place
+  Plan way_;
+  double base_ = 0;     // the height above which the firmware counts
+  double nearest_ = 0;  // m from its place
+  double low_ = 0;      // the least at which it goes across
+  double top_ = 0;      // the greatest to which it climbs
 };
 
 }  // namespace
@@ -169,6 +221,38 @@ Prism braking_region(const ReturnModel& model, const FlightStage& stage) {
 std::vector<ReturnSweep> return_sweeps(const ReturnModel& model, const FlightStage& stage,
                                        const ReturnPlace& place) {
   return Return(model, stage, place).sweeps();
+}
+
+std::vector<std::size_t> likely_places(const ReturnModel& model, const FlightStage& stage,
+                                       const std::vector<ReturnPlace>& places) {
+  const Plan plan = prism_around(stage.where).plan;
+  const double off = 2 * model.around.head<2>().norm();
+  const std::size_t home = places.size() - 1;
+  const auto ground = [&](std::size_t i) -> Vec2 { return places[i].ground.head<2>(); };
+  const auto counts = [&](std::size_t i) {  // whether it is surely one of those it looks at
+    if (i == home) return model.home_is_a_place;
+    if (model.fence_excludes) return false;
+    return model.rally_apart == 0 || (ground(i) - ground(home)).norm() > model.rally_apart + off;
+  };
+  double sure = kNone;   // m: it goes no further than that
+  double rally = kNone;  // m: a rally point is no further than that
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (!counts(i)) continue;
+    const double most = furthest(plan, ground(i));
+    sure = std::min(sure, most);
+    if (i != home) rally = std::min(rally, most);
+  }
+  const double limit = model.rally_limit > 0 ? model.rally_limit : kNone;
+  const bool last_resort = !model.home_is_a_place || limit < kNone;
+  const bool none_near = last_resort && (rally == kNone || rally + off > limit);
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double away = distance(plan, ground(i));
+    if (model.any_place || away <= sure + model.nearer + off || (i == home && none_near)) {
+      out.push_back(i);
+    }
+  }
+  return out;
 }
 
 std::vector<ReturnSweep> holding_sweeps(const ReturnModel& model, const FlightStage& stage) {

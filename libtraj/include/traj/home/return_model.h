@@ -4,8 +4,9 @@
 //
 // Example:
 //   const traj::ReturnModel model = traj::return_model(traj::px4("1.17"));
-//   assert(model.height == 60 && traj::braking_way(model, 5) > 25.0 / 6);
+//   assert(model.height == 30 && traj::braking_way(model, 5) > 25.0 / 6);
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -29,15 +30,35 @@ constexpr std::string_view name(ReturnAction action) {
   return geom::word_of(kReturnActionWords, action);
 }
 
+// By which rules the height of a return depends on the distance from its place; a firmware's
+// versions may have several.
+struct ReturnCone {
+  bool ardupilot = false;  // slope times the distance, from anywhere
+  bool px4_1_11 = false;   // `descend` within `near`; else slope times the distance, and `descend`
+  bool px4_1_12 = false;   // twice the distance within the acceptance; the slope within `near`
+  bool above_height = false;  // of px4_1_12: up to twice the acceptance, even above the height
+  double near = 0;            // m
+  double descend = 0;         // m
+};
+
 struct ReturnModel {
-  std::string autopilot;     // as reports name it
-  double height = 0;         // m above the place it returns to, or above home (rally_adds)
-  double least_climb = 0;    // m that it climbs at least
-  double slope = 0;          // height over distance of the cone in which it stays low; 0: none
-  double low_within = 0;     // m from home within which it may stay low
-  bool known = true;         // false: it may go where nobody knows (RTL_TYPE)
-  bool home_always = false;  // it may go home where a rally point is nearer
-  bool rally_adds = false;   // `height` counts from a rally point; else from home
+  std::string autopilot;   // as reports name it
+  double height = 0;       // m above the place it returns to, or above home (rally_adds)
+  double least_climb = 0;  // m that it climbs at least
+  double slope = 0;        // height over distance of the cone in which it stays low; 0: none
+  double low_within = 0;   // m from home within which it may stay low (DJI)
+  std::optional<double> ceiling = {};  // m above home: it climbs no higher (a fence)
+  ReturnCone cone = {};
+  bool known = true;        // false: it may go where nobody knows (RTL_TYPE)
+  bool rally_adds = false;  // `height` counts from a rally point; else from home
+
+  // Which of home and the rally points it returns to.
+  double nearer = 0;            // m: the place may be so much further than the nearest
+  bool any_place = false;       // it may take any of them
+  double rally_apart = 0;       // m: it may leave out rally points that are nearer to home
+  double rally_limit = 0;       // m: it goes home if every rally point is further; 0: none
+  bool home_is_a_place = true;  // of which the nearest counts; else home is the last resort
+  bool fence_excludes = false;  // it may leave out rally points for a fence
 
   // How it stops: seconds until it begins, the deceleration and its jerk, and what it overshoots.
   double reaction = 0;        // s
@@ -52,10 +73,22 @@ struct ReturnModel {
   double under = 0;            // m below its height from which it may go across
   double acceptance = 0;       // m from the place where it may begin to sink
   double fall = 0;             // m that it sinks until it is above its place
+  bool aslant = false;         // it sinks on a straight line to cone.descend above its place, if it
+                               // is higher, before it lands
   Vec3 around = Vec3::Zero();  // m along each axis that it may be off all this
 };
 
 ReturnModel return_model(const Autopilot& autopilot);
+
+// Metres above its place.
+struct HeightRange {
+  double least = 0;
+  double most = 0;
+};
+
+// To which it climbs where it is lower, if `full` is the height of a return from far away, and its
+// distance from the place is from `nearest` to `furthest` metres. `least_climb` is left out.
+HeightRange return_heights(const ReturnModel& model, double full, double nearest, double furthest);
 
 // DJI's, as its documentation of WPML says it: up to `height` above the take-off, level to above
 // it, and down; from within 50 m at any height. Its firmware is not public: brakes with 3 m/s2.

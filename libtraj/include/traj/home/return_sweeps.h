@@ -10,6 +10,7 @@
 //     std::cout << traj::name(one.phase) << " up to " << one.region.high << " m\n";
 //   }
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -54,8 +55,13 @@ struct ReturnPlace {
 // still rises or sinks.
 Prism braking_region(const ReturnModel& model, const FlightStage& stage);
 
+// Which of the places, home last, a return that begins in the stage may go to: the nearest, and
+// those that may be the nearest for all that the firmware and `around` leave open.
+std::vector<std::size_t> likely_places(const ReturnModel& model, const FlightStage& stage,
+                                       const std::vector<ReturnPlace>& places);
+
 // All ways of a return that begins anywhere in the stage: braking, up, across, down to the ground.
-// Within the cone it goes across no lower than the cone is where that is nearest to the place.
+// Within the cone it goes across no lower than the cone is where the stage is nearest to the place.
 // Sources: PX4's rtl.cpp and rtl_direct.cpp, ArduPilot Copter's mode_rtl.cpp.
 std::vector<ReturnSweep> return_sweeps(const ReturnModel& model, const FlightStage& stage,
                                        const ReturnPlace& place);
