@@ -93,7 +93,8 @@ def fly(one, folder, firmware, options):
     drag = "" if firmware == "arducopter" else "1" if airframe == "stock" else "0.122"
     autopilot = "px4:1.17" if firmware == "px4" else "ardupilot:4.7"
     settings = " ".join(f"{key}={value}" for key, value in params.items())
-    row = f"{track.name},{mission.name},{autopilot},{found[1]},{found[2]},{settings},{drag}"
+    kept = "hold" if found[1] == "loiter" else found[1]
+    row = f"{track.name},{mission.name},{autopilot},{kept},{found[2]},{settings},{drag}"
     return row, f"{name}: {notes.read_text().strip().splitlines()[-1][-160:]}"
 
 
@@ -104,6 +105,7 @@ def main():
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--count", type=int, default=10)
     parser.add_argument("--kind", choices=KINDS, help="of all missions (default: each in its turn)")
+    parser.add_argument("--action", choices=("rtl", "land", "hold", "loiter"), help="of all orders (default: mostly rtl)")
     parser.add_argument("-j", "--jobs", type=int, default=2, help="flights at once (2)")
     parser.add_argument("--judge", type=pathlib.Path, metavar="JUDGE_RETURNS", help="the program of that name, to run afterwards")
     at = sys.argv.index("--") if "--" in sys.argv else len(sys.argv)
@@ -113,7 +115,9 @@ def main():
     for number in range(options.count):
         kind = options.kind or KINDS[number % len(KINDS)]
         seed = 1000 * options.seed + number
-        flights.append((f"{options.firmware[:3]}_{kind}_{seed}", made(seed, kind, options.firmware)))
+        plan, seconds, action, params, airframe = made(seed, kind, options.firmware)
+        name = f"{options.firmware[:3]}_{kind}_{seed}" + (f"_{options.action}" if options.action else "")
+        flights.append((name, (plan, seconds, options.action or action, params, airframe)))
     table = options.outdir / "returns.csv"
     rows = []
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:

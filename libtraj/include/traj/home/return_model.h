@@ -80,16 +80,6 @@ struct ReturnModel {
 
 ReturnModel return_model(const Autopilot& autopilot);
 
-// Metres above its place.
-struct HeightRange {
-  double least = 0;
-  double most = 0;
-};
-
-// To which it climbs where it is lower, if `full` is the height of a return from far away, and its
-// distance from the place is from `nearest` to `furthest` metres. `least_climb` is left out.
-HeightRange return_heights(const ReturnModel& model, double full, double nearest, double furthest);
-
 // DJI's, as its documentation of WPML says it: up to `height` above the take-off, level to above
 // it, and down; from within 50 m at any height. Its firmware is not public: brakes with 3 m/s2.
 ReturnModel dji_return_model(double height);

@@ -10,7 +10,6 @@
 //     std::cout << traj::name(one.phase) << " up to " << one.region.high << " m\n";
 //   }
 
-#include <cstddef>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -20,6 +19,7 @@
 #include "traj/home/flight_stage.h"
 #include "traj/home/prism.h"
 #include "traj/home/return_model.h"
+#include "traj/home/return_places.h"
 
 namespace traj {
 
@@ -44,21 +44,10 @@ struct ReturnSweep {
 // As a region of a flight.
 Sweep sweep_of(const ReturnSweep& one, const FlightPart& part);
 
-// Where a return ends: the ground there, and for a rally point the height that it has in the air.
-struct ReturnPlace {
-  Vec3 ground = Vec3::Zero();  // m
-  double above_ground = 0;     // m
-};
-
 // Where it may be from the instant when it leaves the stage until it rests: in plan the way to rest
 // of each velocity from each place, and as much behind as a stop is overshot; in height what it
 // still rises or sinks.
 Prism braking_region(const ReturnModel& model, const FlightStage& stage);
-
-// Which of the places, home last, a return that begins in the stage may go to: the nearest, and
-// those that may be the nearest for all that the firmware and `around` leave open.
-std::vector<std::size_t> likely_places(const ReturnModel& model, const FlightStage& stage,
-                                       const std::vector<ReturnPlace>& places);
 
 // All ways of a return that begins anywhere in the stage: braking, up, across, down to the ground.
 // Within the cone it goes across no lower than the cone is where the stage is nearest to the place.
