@@ -36,11 +36,25 @@ Vec3 home_below(const geom::CollisionScene& scene, const Vec3& begin) {
   return {begin.x(), begin.y(), ground_below(scene, begin)};
 }
 
+// The ground below an end of a record, if it is level.
+void add_pad(const geom::CollisionScene& scene, const Vec3& end, ReturnTask& task) {
+  constexpr double kLevel = 1;  // m
+  const LandingGround ground = landing_ground(scene, end, Vec3::Zero(), kLevel);
+  if (ground.whole) task.pads.emplace_back(end.x(), end.y(), ground.height);
+}
+
+struct Ends {
+  Vec3 begin;
+  Vec3 end;
+};
+
 // Of a record, which any of the autopilots may fly.
-ReturnReport prove_record(const geom::CollisionScene& scene, const Stages& stages,
-                          const Vec3& begin, const Flier& flier, const ReturnRules& rules) {
+ReturnReport prove_record(const geom::CollisionScene& scene, const Stages& stages, const Ends& ends,
+                          const Flier& flier, const ReturnRules& rules) {
   ReturnTask task = task_of(flier, rules);
-  task.home = rules.home ? *rules.home : home_below(scene, begin);
+  task.home = rules.home ? *rules.home : home_below(scene, ends.begin);
+  add_pad(scene, ends.begin, task);
+  add_pad(scene, ends.end, task);
   for (const Autopilot& autopilot : flier.autopilots) {
     set_height(rules, task.models.emplace_back(return_model(autopilot)));
   }
@@ -84,7 +98,9 @@ void add_dji(const FlownMission& mission, const ReturnRules& rules, ReturnTask& 
 ReturnReport check_return(const geom::CollisionScene& scene, const TrajectoryRecord& record,
                           const Flier& flier, const ReturnRules& rules) {
   return prove_record(scene, stages_of(record.trajectory),
-                      record.trajectory.segments.front().point.front(), flier, rules);
+                      {record.trajectory.segments.front().point.front(),
+                       record.trajectory.segments.back().point.back()},
+                      flier, rules);
 }
 
 ReturnReport check_return(const geom::CollisionScene& scene, const geom::PathRecord& record,
@@ -95,7 +111,8 @@ ReturnReport check_return(const geom::CollisionScene& scene, const geom::PathRec
   }
   FlownMission mission;
   mission.path = record.points;
-  return prove_record(scene, stages_of(mission, *rules.speed), record.points.front(), flier, rules);
+  return prove_record(scene, stages_of(mission, *rules.speed),
+                      {record.points.front(), record.points.back()}, flier, rules);
 }
 
 ReturnReport check_return(const geom::CollisionScene& scene, const FileFlight& file,

@@ -29,6 +29,7 @@ struct ReturnTask {
   Vec3 home = Vec3::Zero();         // the ground there
   std::vector<Vec3> rally;          // places in the air
   std::vector<Fence> fences;        // that returns keep to
+  std::vector<Vec3> pads;           // level ground on which the flight begins or ends
   Vec3 room = Vec3::Zero();  // m along each axis beside the vehicle, without its margin: how wrong
                              // it may be about its place
   double finest = 0.5;       // m: shorter stages are not divided
