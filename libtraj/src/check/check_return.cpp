@@ -27,7 +27,15 @@ ReturnTask task_of(const Flier& flier, const ReturnRules& rules) {
 ReturnReport prove(const geom::CollisionScene& scene, const std::vector<Stages>& stages,
                    const ReturnTask& task, const ReturnRules& rules) {
   ReturnReport report = prove_return(scene, stages, task);
-  if (rules.least_height) report.least_height = least_return_height(scene, stages, task);
+  if (!rules.least_height) return report;
+  const auto best = best_return_height(scene, stages, task);
+  if (!best) return report;
+  if (best->share == 1) {
+    report.least_height = best->height;
+  } else {
+    report.best_height = best->height;
+    report.best_share = best->share;
+  }
   return report;
 }
 

@@ -351,35 +351,50 @@ ReturnReport prove(const geom::CollisionScene& scene,
 
 }  // namespace
 
+namespace {
+
+// The greatest return height that the bounds allow, m above home; below 0: none.
+double room_above(const geom::CollisionScene& scene, const ReturnTask& task) {
+  if (!scene.free_bounds()) return -1;
+  double above = 0.01;  // m below the top that a vehicle needs, and its rally points
+  for (const ReturnModel& model : task.models) {
+    above = std::max(above, 0.01 + model.around.z() + task.room.z());
+  }
+  double highest = 0;
+  for (const Vec3& rally : task.rally) highest = std::max(highest, rally.z() - task.home.z());
+  return scene.free_bounds()->max.z() - task.home.z() - above - highest;
+}
+
+}  // namespace
+
 ReturnReport prove_return(const geom::CollisionScene& scene,
                           std::span<const std::vector<FlightStage>> stages,
                           const ReturnTask& task) {
   return prove(scene, stages, task, false);
 }
 
-std::optional<double> least_return_height(const geom::CollisionScene& scene,
-                                          std::span<const std::vector<FlightStage>> stages,
-                                          ReturnTask task, double step) {
-  const auto proved_at = [&](double height) {
+std::optional<ReturnHeight> best_return_height(const geom::CollisionScene& scene,
+                                               std::span<const std::vector<FlightStage>> stages,
+                                               ReturnTask task, double step) {
+  if (task.action != ReturnAction::rtl) return std::nullopt;
+  const double room = room_above(scene, task);
+  const auto share_at = [&](double height, double wanted) {
     for (ReturnModel& model : task.models) model.height = height;
-    return prove(scene, stages, task, true).gaps.empty();
+    const ReturnReport proof = prove(scene, stages, task, wanted == 1);
+    return wanted == 1 && !proof.ok() ? 0 : proof.share();
   };
-  if (!scene.free_bounds() || task.action != ReturnAction::rtl) return std::nullopt;
-  double above = 0.01;  // m below the bounds' top that a vehicle needs, and its rally points
-  for (const ReturnModel& model : task.models) {
-    above = std::max(above, 0.01 + model.around.z() + task.room.z());
+  double proved = std::floor(room / step);
+  if (!(proved >= 0)) return std::nullopt;
+  const double wanted = share_at(proved * step, 0);
+  double refused = -1;  // not proved there, or not asked
+  double share = wanted;
+  while (proved - refused > 1) {
+    const double middle = std::floor(0.5 * (refused + proved));
+    const double there = share_at(middle * step, wanted);
+    if (there >= wanted) share = there;
+    (there >= wanted ? proved : refused) = middle;
   }
-  double highest = 0;
-  for (const Vec3& rally : task.rally) highest = std::max(highest, rally.z() - task.home.z());
-  const double room = scene.free_bounds()->max.z() - task.home.z() - above - highest;
-  double high = std::floor(room / step);
-  if (high < 0 || !proved_at(high * step)) return std::nullopt;
-  double low = -1;  // not proved there, or not asked
-  while (high - low > 1) {
-    const double middle = std::floor(0.5 * (low + high));
-    (proved_at(middle * step) ? high : low) = middle;
-  }
-  return high * step;
+  return ReturnHeight{proved * step, share};
 }
 
 }  // namespace traj
