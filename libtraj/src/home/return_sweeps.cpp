@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
-#include <numbers>
 
 #include "traj/home/return_heights.h"
 
@@ -84,14 +84,13 @@ Plan left_of(const Plan& plan, const Vec2& a, const Vec2& b) {
 
 // No point of the plan within `radius` of the middle is left out: an octagon around the circle.
 Plan within(Plan plan, const Vec2& middle, double radius) {
-  constexpr int kSides = 8;
-  constexpr double kRounding = 1 + 1e-9;
-  const double half = std::numbers::pi / kSides;
-  const double corner = kRounding * radius / std::cos(half);
-  const auto at = [&](int i) -> Vec2 {
-    return middle + corner * Vec2(std::cos(2 * half * i), std::sin(2 * half * i));
-  };
-  for (int i = 0; i < kSides && !plan.empty(); ++i) plan = left_of(plan, at(i), at(i + 1));
+  const double far = radius * (1 + 1e-9);
+  const double near = far * (std::sqrt(2.0) - 1);
+  const Vec2 corners[] = {{far, -near}, {far, near},   {near, far},   {-near, far},
+                          {-far, near}, {-far, -near}, {-near, -far}, {near, -far}};
+  for (std::size_t i = 0; i < std::size(corners) && !plan.empty(); ++i) {
+    plan = left_of(plan, middle + corners[i], middle + corners[(i + 1) % std::size(corners)]);
+  }
   return plan;
 }
 
