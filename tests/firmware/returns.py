@@ -20,7 +20,7 @@ FLY = pathlib.Path(__file__).resolve().parent / "fly.py"
 HOME = (37.75, -122.5)  # kept exactly by PX4's simulator
 METRES = 111195.0  # a degree of latitude, near enough for missions at random
 ORDERED = re.compile(r", (\w+) at ([\d.]+) s from ")
-KINDS = ("corners", "climbs", "near", "fast", "rally")
+KINDS = ("corners", "climbs", "near", "fast", "rally", "starts", "past")
 
 
 def place(east, north):
@@ -30,6 +30,9 @@ def place(east, north):
 def waypoints(chance, kind):
     """East, north and height of the take-off and of each waypoint; metres."""
     height = chance.uniform(5, 60)
+    if kind == "past":  # fast past home, mostly so high that no climb comes first
+        height, side = chance.uniform(25, 60), chance.choice((-1, 1)) * chance.uniform(0, 80)
+        return [(0.0, 0.0, height), (-140.0, side, height), (140.0, side + chance.uniform(-30, 30), height)]
     reach = {"near": 25, "fast": 220}.get(kind, 110)
     points = [(0.0, 0.0, height)]
     for _ in range(chance.randint(2, 5)):
@@ -47,10 +50,10 @@ def made(seed, kind, firmware):
     """(document of a plan, seconds after arming, action, parameters, airframe)"""
     chance = random.Random(f"{firmware} {kind} {seed}")
     points = waypoints(chance, kind)
-    speed = chance.uniform(9, 12) if kind == "fast" else chance.choice((3, 5, 8, 12))
+    speed = chance.uniform(9, 12) if kind in ("fast", "starts", "past") else chance.choice((3, 5, 8, 12))
     items = [item(22, 3, [0, 0, 0, None, *HOME, points[0][2]]), item(178, 2, [1, speed, -1, 0, 0, 0, 0])]
     for east, north, height in points:
-        hold = chance.choice((0, 0, 3))
+        hold = 3 if kind == "starts" else chance.choice((0, 0, 3))  # "starts": each leg begins at a rest
         items.append(item(16, 3, [hold, chance.choice((2, 2, 0)), 0, None, *place(east, north), height]))
     items[-1]["params"][0] = 90  # it waits there, so that the order always comes in time
     way = sum(math.dist(a, b) for a, b in zip(points, points[1:]))
@@ -73,7 +76,8 @@ def made(seed, kind, firmware):
         params = {"RTL_ALT": chance.choice((1000, 1500, 4000)), "RTL_CLIMB_MIN": chance.choice((0, 0, 500)),
                   "RTL_CONE_SLOPE": chance.choice((3, 3, 1, 0)), "RALLY_INCL_HOME": chance.choice((1, 1, 0))}
         airframe = "quad2kg"
-    return plan, round(chance.uniform(3, lasts), 1), action, params, airframe
+    first = lasts - 8 - 280 / speed if kind == "past" else 3
+    return plan, round(chance.uniform(first, lasts), 1), action, params, airframe
 
 
 def fly(one, folder, firmware, options):

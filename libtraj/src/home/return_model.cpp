@@ -5,13 +5,15 @@
 namespace traj {
 namespace {
 
-constexpr double kReaction = 0.3;       // s from the order until it slows down
-constexpr double kPx4Nearer = 2;        // m: MIN_DIST_THRESHOLD
-constexpr double kPx4RallyApart = 10;   // m: MAX_DIST_FROM_HOME_FOR_LAND_APPROACHES
-constexpr double kDjiDeceleration = 3;  // m/s2
-constexpr double kDjiSpeed = 15;        // m/s, the most that it returns with
-constexpr double kDjiClimb = 6;         // m/s
-constexpr double kDjiLowWithin = 50;    // m from home
+constexpr double kReaction = 0.3;           // s from the order until it slows down
+constexpr double kArdupilotLandsLater = 1;  // s: flown, 0.9
+constexpr double kPx4StopPoint = 0.6;       // s
+constexpr double kPx4Nearer = 2;            // m: MIN_DIST_THRESHOLD
+constexpr double kPx4RallyApart = 10;       // m: MAX_DIST_FROM_HOME_FOR_LAND_APPROACHES
+constexpr double kDjiDeceleration = 3;      // m/s2
+constexpr double kDjiSpeed = 15;            // m/s, the most that it returns with
+constexpr double kDjiClimb = 6;             // m/s
+constexpr double kDjiLowWithin = 50;        // m from home
 
 ReturnCone cone_of(const Autopilot& autopilot) {
   ReturnCone out;
@@ -38,6 +40,24 @@ void set_places(const Autopilot& autopilot, ReturnModel& out) {
   out.fence_excludes = autopilot.rally_in_fence;
 }
 
+// PX4's position smoothing keeps to its jerk, also from one mode to the next; to land or to hold it
+// stops at a point that is 0.6 s of its speed further than even braking (Navigator's
+// preproject_stop_point). ArduPilot aims at a point where it can stop evenly
+// (AC_PosControl::get_stopping_point_NE), but not to land.
+void set_stop(const Autopilot& autopilot, ReturnModel& out) {
+  out.reaction = kReaction;
+  out.deceleration = autopilot.acceleration;
+  out.jerk = autopilot.jerk;
+  if (autopilot.firmware == Firmware::ardupilot) {
+    out.stop_length = out.deceleration / 2;
+    out.landing_later = kArdupilotLandsLater;
+    return;
+  }
+  out.ramp = out.deceleration / (2 * out.jerk);
+  out.fading = 2 * out.ramp;
+  out.reaction = std::max(kReaction, kPx4StopPoint - out.ramp);
+}
+
 }  // namespace
 
 ReturnModel return_model(const Autopilot& autopilot) {
@@ -51,9 +71,7 @@ ReturnModel return_model(const Autopilot& autopilot) {
   out.known = autopilot.returns_home;
   out.rally_adds = autopilot.rally_adds;
   set_places(autopilot, out);
-  out.reaction = kReaction;
-  out.deceleration = autopilot.acceleration;
-  out.jerk = autopilot.jerk;
+  set_stop(autopilot, out);
   out.overshoot_time = autopilot.overshoot_time;
   out.overshoot = autopilot.overshoot;
   out.speed = autopilot.speed;
@@ -76,6 +94,8 @@ ReturnModel dji_return_model(double height) {
   out.reaction = kReaction;
   out.deceleration = kDjiDeceleration;
   out.jerk = kDjiDeceleration;
+  out.ramp = out.deceleration / (2 * out.jerk);
+  out.fading = 2 * out.ramp;
   out.speed = kDjiSpeed;
   out.climb = kDjiClimb;
   out.descent = kDjiClimb;
@@ -83,12 +103,11 @@ ReturnModel dji_return_model(double height) {
 }
 
 double braking_factor(const ReturnModel& model, double fastest) {
-  return model.reaction + fastest / (2 * model.deceleration) +
-         model.deceleration / (2 * model.jerk) + model.overshoot_time;
+  return model.reaction + fastest / (2 * model.deceleration) + model.ramp + model.overshoot_time;
 }
 
 double braking_way(const ReturnModel& model, double speed) {
-  return speed * braking_factor(model, speed) + model.overshoot;
+  return speed * braking_factor(model, speed) + model.stop_length + model.overshoot;
 }
 
 }  // namespace traj

@@ -40,16 +40,27 @@ double vertical_way(const ReturnModel& model, double rate) {
          rate * kVerticalBraking / (2 * model.jerk);
 }
 
-// The most that it is fast across, m/s, in a region of this plan: what it reaches since its rest,
-// and from what it can slow down to its next.
+// The most that it is fast across, m/s, from such a place on: what it has reached since its rest,
+// and what it still gains while its acceleration fades; and from what it can slow down to its next.
 double speed_at(const ReturnModel& model, const Velocity& velocity, const Plan& plan) {
   double speed = velocity.value.head<2>().norm();
-  for (const std::optional<Vec3>& rest : {velocity.since, velocity.until}) {
-    if (!rest) continue;
-    const double away = furthest(plan, rest->head<2>()) + kRoomAtRest;
-    speed = std::min(speed, std::sqrt(2 * model.deceleration * away));
-  }
+  const auto reached = [&](const Vec3& rest) {
+    const double away = furthest(plan, rest.head<2>()) + kRoomAtRest;
+    return std::sqrt(2 * model.deceleration * away);
+  };
+  const double gains = model.deceleration * model.fading / 2;
+  if (velocity.since) speed = std::min(speed, reached(*velocity.since) + gains);
+  if (velocity.until) speed = std::min(speed, reached(*velocity.until));
   return speed;
+}
+
+// Seconds that it goes on before it slows down: if it may be speeding up, until its acceleration
+// has faded. It speeds up no further from a rest than an S-curve is long.
+double lateness(const ReturnModel& model, const Velocity& velocity, const Plan& plan,
+                double speed) {
+  if (!velocity.since) return model.fading;
+  const double ramp = speed * (speed / model.deceleration + model.fading) / 2 + kRoomAtRest;
+  return distance(plan, velocity.since->head<2>()) > ramp ? 0 : model.fading;
 }
 
 // The most that it goes on, m, until it rests: it slows down to rest where it is to rest anyway.
@@ -57,7 +68,7 @@ double way_to_rest(const ReturnModel& model, const Velocity& velocity, const Pla
                    double speed) {
   if (!velocity.until) return std::numeric_limits<double>::infinity();
   const double left = furthest(plan, velocity.until->head<2>());
-  return left + speed * (model.reaction + model.overshoot_time);
+  return left + speed * (model.reaction + model.overshoot_time) + model.stop_length;
 }
 
 double overshot(const ReturnModel& model) {
@@ -205,7 +216,8 @@ Prism braking_region(const ReturnModel& model, const FlightStage& stage) {
     const double speed = speed_at(model, v, begin);
     if (speed == 0) continue;
     const Vec2 along = v.value.head<2>().normalized();
-    const double way = std::min(speed * factor, way_to_rest(model, v, begin, speed));
+    const double whole = speed * (factor + lateness(model, v, begin, speed)) + model.stop_length;
+    const double way = std::min(whole, way_to_rest(model, v, begin, speed));
     for (const Vec2& p : begin) {
       out.plan.push_back(p + along * way);
       out.plan.push_back(p - along * (speed * model.overshoot_time));
@@ -230,7 +242,10 @@ std::vector<ReturnSweep> holding_sweeps(const ReturnModel& model, const FlightSt
 
 std::vector<ReturnSweep> landing_sweeps(const ReturnModel& model, const FlightStage& stage,
                                         double ground, double floor) {
-  std::vector<ReturnSweep> out = holding_sweeps(model, stage);
+  ReturnModel lands = model;
+  lands.reaction += model.landing_later;
+  lands.fading += model.landing_later;
+  std::vector<ReturnSweep> out = holding_sweeps(lands, stage);
   const Prism& braking = out.front().region;
   out.push_back(
       {{braking.plan, std::min(floor, braking.low), braking.high}, ReturnPhase::descent, ground});

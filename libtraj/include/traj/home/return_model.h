@@ -64,6 +64,10 @@ struct ReturnModel {
   double reaction = 0;        // s
   double deceleration = 1;    // m/s2
   double jerk = 1;            // m/s3
+  double ramp = 0;            // s: times the speed, while its deceleration builds up,
+  double stop_length = 0;     // m: and this, of a firmware that aims at a point where it stops
+  double landing_later = 0;   // s: times the speed, if it is to land where it stops
+  double fading = 0;          // s until an acceleration has faded, if it is told while speeding up
   double overshoot_time = 0;  // s: times the speed,
   double overshoot = 0;       // m: and this
 
@@ -84,7 +88,8 @@ ReturnModel return_model(const Autopilot& autopilot);
 // it, and down; from within 50 m at any height. Its firmware is not public: brakes with 3 m/s2.
 ReturnModel dji_return_model(double height);
 
-// Metres from a speed, m/s, to rest: with its reaction, an S-curve, and what is overshot.
+// Metres from an even speed, m/s, to rest: with its reaction, what it takes until it brakes, and
+// what is overshot.
 double braking_way(const ReturnModel& model, double speed);
 // Seconds by which a velocity is multiplied for its way to rest, `overshoot` left out, if no
 // velocity is larger than `fastest` m/s. Grows with it.
