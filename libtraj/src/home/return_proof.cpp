@@ -64,7 +64,7 @@ class Prover {
   void prove(const FlightStage& stage) {
     if (done()) return;
     const auto found = obstruction(stage);
-    if (!found) return;
+    if (!found) return add_proved(stage);
     const auto parts = extent(stage) > task_.finest ? halves(stage) : std::nullopt;
     if (!parts || blocked_all_along(stage)) return add_gap(stage, *found);
     prove(parts->first);
@@ -73,8 +73,28 @@ class Prover {
 
   std::vector<ReturnGap> gaps;
   double longest = 0;  // s
+  bool keeps_proved = false;
+  std::vector<ProvedReturn> proved;  // where these are kept
 
  private:
+  void add_proved(const FlightStage& stage) {
+    if (!keeps_proved) return;
+    for (const ReturnSweep& one : sweeps_from(stage)) proved.push_back({one, stage.part, extra_});
+  }
+
+  std::vector<ReturnSweep> sweeps_from(const FlightStage& stage) const {
+    if (task_.action == ReturnAction::hold) return holding_sweeps(model_, stage);
+    if (task_.action == ReturnAction::land) {
+      return landing_sweeps(model_, stage, task_.home.z(), scene_.map().spec().bounds.min.z());
+    }
+    std::vector<ReturnSweep> out;
+    for (const std::size_t i : nearest_places(braking_region(model_, stage))) {
+      const auto sweeps = return_sweeps(model_, stage, places_[i]);
+      out.insert(out.end(), sweeps.begin(), sweeps.end());
+    }
+    return out;
+  }
+
   bool done() const { return first_gap_only_ && !gaps.empty(); }
 
   void add_gap(const FlightStage& stage, const Obstruction& found) {
@@ -282,6 +302,20 @@ double share(const ReturnProof& proof) {
 ReturnProof prove_return(const geom::CollisionScene& scene,
                          std::span<const std::vector<FlightStage>> stages, const ReturnTask& task) {
   return prove(scene, stages, task, false);
+}
+
+std::vector<ProvedReturn> proved_returns(const geom::CollisionScene& scene,
+                                         std::span<const std::vector<FlightStage>> stages,
+                                         const ReturnTask& task) {
+  require_task(stages, task);
+  std::vector<ProvedReturn> out;
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    Prover prover(scene, task.models[i], task, false);
+    prover.keeps_proved = true;
+    for (const FlightStage& stage : stages[i]) prover.prove(stage);
+    out.insert(out.end(), prover.proved.begin(), prover.proved.end());
+  }
+  return out;
 }
 
 std::optional<double> least_return_height(const geom::CollisionScene& scene,

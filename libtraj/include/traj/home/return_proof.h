@@ -69,6 +69,19 @@ double share(const ReturnProof& proof);
 ReturnProof prove_return(const geom::CollisionScene& scene,
                          std::span<const std::vector<FlightStage>> stages, const ReturnTask& task);
 
+// A region of a return that is proved, and the metres along each axis beside it for which it is,
+// the scene's half sizes left out.
+struct ProvedReturn {
+  ReturnSweep sweep;
+  FlightPart part;
+  Vec3 beside = Vec3::Zero();
+};
+
+// The regions of all returns that prove_return() proves, from every stage.
+std::vector<ProvedReturn> proved_returns(const geom::CollisionScene& scene,
+                                         std::span<const std::vector<FlightStage>> stages,
+                                         const ReturnTask& task);
+
 // The least return height, m above home (to `step` metres, up to the map's bounds), with which the
 // return is proved from every instant; nothing if there is none. By bisection; the height that is
 // returned was proved.
