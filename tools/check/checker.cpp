@@ -5,6 +5,7 @@
 
 #include "cli/run.h"
 #include "geom/base/in_order.h"
+#include "geom/record/start_on_map.h"
 #include "geom/text/json_fields.h"
 #include "geom/text/record_lines.h"
 #include "traj/mission/judge/judge.h"
@@ -19,6 +20,11 @@ constexpr std::size_t kHeld = 128;  // records at a time
 Checks Checker::solved(const geom::CollisionScene& scene, const traj::TrajectoryRecord& record,
                        const std::string& source, std::size_t line) const {
   Checks out{traj::check_record(scene, record, rules_.record, source, line)};
+  if (rules_.returns && (out.report.result.ok || out.report.result.looked)) {
+    traj::ReturnRules returns = *rules_.returns;
+    returns.start = geom::start_on(scene.map(), record.time, source, line);
+    out.report.returns = traj::check_return(scene, record, *rules_.flier, returns);
+  }
   out.profile = profile_.rows(record.id, scene, record.trajectory, out.report.result.duration);
   return out;
 }
@@ -48,8 +54,12 @@ Checks Checker::path(const geom::PathRecord& record, const std::string& source,
   if (record.status != geom::PathStatus::found) return {traj::unsolved_report(record)};
   const auto scene = scenes_.shared_scene_for(record.provenance, source, line);
   rules_.metres.check_input(scene->map().spec().frame, record.points, source, line);
-  return {traj::check_record(*scene, record, rules_.record, source, line),
-          profile_.rows(record.id, *scene, record.points)};
+  Checks out{traj::check_record(*scene, record, rules_.record, source, line),
+             profile_.rows(record.id, *scene, record.points)};
+  if (rules_.returns) {
+    out.report.returns = traj::check_return(*scene, record, *rules_.flier, *rules_.returns);
+  }
+  return out;
 }
 
 // What a drone makes of a file.
@@ -60,6 +70,9 @@ Checks Checker::flown(const traj::FileFlight& file) const {
     rules_.metres.check_input(scene.map().spec().frame, legs->path, file.id, 0);
   }
   Checks out{traj::check_record(scene, file, *rules_.flier, rules_.record)};
+  if (rules_.returns) {
+    out.report.returns = traj::check_return(scene, file, *rules_.flier, *rules_.returns);
+  }
   if (!legs) {
     out.profile =
         profile_.rows(file.id, scene, traj::trajectory_of(file.flown), out.report.result.duration);

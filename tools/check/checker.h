@@ -16,12 +16,14 @@
 #include "reports.h"
 #include "together.h"
 #include "traj/check/check_record.h"
+#include "traj/check/check_return.h"
 
 namespace checking {
 
 struct Rules {
   traj::RecordRules record;
-  const traj::Flier* flier = nullptr;              // of drone files
+  const traj::Flier* flier = nullptr;              // of drone files and returns
+  std::optional<traj::ReturnRules> returns = {};   // where they are asked for
   cli::MetresOption metres = cli::MetresOption();  // whether records may be degrees
 };
 

@@ -16,6 +16,7 @@
 #include "geom/record/named_map.h"
 #include "report_output.h"
 #include "reports.h"
+#include "returns.h"
 #include "together.h"
 #include "traj/record/verdict.h"
 
@@ -35,6 +36,7 @@ struct Options {
   bool no_clearance = false;
   bool drop_refused = false;
   cli::DroneFileOptions drone_file;
+  checking::Returns returns;
   checking::Together together;
   checking::FlightLogs flights;
   cli::MetresOption metres;
@@ -43,6 +45,11 @@ struct Options {
   void add_to(CLI::App& app);
   void refuse_idle(const CLI::App& app) const;
   bool decides_exactly() const { return exact || !certificate.empty(); }
+  std::optional<traj::ReturnRules> return_rules() const {
+    if (!returns.asked()) return std::nullopt;
+    return returns.rules(drone_file.reading.rules.return_height,
+                         limits.limits()[traj::Limit::speed]);
+  }
   checking::Rules rules() const {
     return {{.asked = limits.limits(),
              .override_record = override_record,
@@ -50,6 +57,7 @@ struct Options {
              .stands = together.parks(),
              .clearance = no_clearance ? traj::Clearance::left_out : traj::Clearance::measured},
             &drone_file.autopilot.flier,
+            return_rules(),
             metres};
   }
   checking::ReportFiles files() {
@@ -79,6 +87,7 @@ void Options::add_to(CLI::App& app) {
       app, "--certificate", certificate,
       "write the reasons why each accepted record is clear, JSON Lines; implies --exact");
   drone_file.add_to(app);
+  returns.add_to(app);
   flights.add_to(app);
   together.add_to(app);
   metres.add_to(app);
@@ -86,6 +95,8 @@ void Options::add_to(CLI::App& app) {
 
 void Options::refuse_idle(const CLI::App& app) const {
   flights.refuse_idle(app, flight_log());
+  returns.refuse_idle(app);
+  cli::only_for(app, !flight_log(), {"--return"}, "records and drone files");
   together.refuse_idle(app, !drone_file.format.empty());
   cli::only_for(app, !profile.file().empty(), {"--profile-step"}, "--profile");
   if (drone_file.format.empty()) {
@@ -206,7 +217,7 @@ cli::Exit check_records(Options& options, cli::InputFile& file, cli::Scenes& sce
   if (options.together.moving().asked()) {
     moving = read_moving(options.together.moving(), scenes.map(), options.metres);
   }
-  if (!options.drone_file.format.empty()) {
+  if (!options.drone_file.format.empty() || options.returns.asked()) {
     options.drone_file.autopilot.settle(options.vehicle.profile());
   }
   const checking::Checker checker(common, scenes, options.profile, options.together,

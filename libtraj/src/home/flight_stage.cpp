@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "curve/halves.h"
+#include "geom/shape/aabb.h"
 #include "traj/curve/control_points.h"
 #include "traj/home/prism.h"
 
@@ -28,32 +29,48 @@ struct Span {
   }
 };
 
-// When the vehicle passes along a leg what lies beside it: a place counts as passed at the instant
-// of the leg's point that is nearest to it.
-void add_time(const Hull& hull, const TimedLeg& leg, bool first, bool last, Span& span) {
+double distance_to(const TimedLeg& leg, const Vec3& p) {
+  const Vec3 way = leg.b - leg.a;
+  const double squared = way.squaredNorm();
+  const double s = squared > 0 ? std::clamp((p - leg.a).dot(way) / squared, 0.0, 1.0) : 0;
+  return (leg.a + s * way - p).norm();
+}
+
+// No point of the hull is further from the leg.
+double furthest_from(const TimedLeg& leg, const Hull& hull) {
+  double most = 0;
+  for (const Vec3& p : hull) most = std::max(most, distance_to(leg, p));
+  return most;
+}
+
+// No point of the hull is nearer to the leg.
+double nearest_to(const TimedLeg& leg, const geom::Aabb& hull) {
+  const geom::Aabb box = geom::merged({leg.a, leg.a}, {leg.b, leg.b});
+  return (hull.min - box.max).cwiseMax(box.min - hull.max).cwiseMax(0).norm();
+}
+
+// When the vehicle passes along a leg what lies beside it.
+void add_time(const Hull& hull, const TimedLeg& leg, Span& span) {
   const Vec3 way = leg.b - leg.a;
   const double squared = way.squaredNorm();
   if (squared == 0) return span.add(leg.from, leg.until);
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  for (const Vec3& p : hull) {
-    const double s = (p - leg.a).dot(way) / squared;
-    low = std::min(low, s);
-    high = std::max(high, s);
-  }
-  if ((high < 0 && !first) || (low > 1 && !last)) return;  // nearer to the leg before or behind
   const double lasts = leg.until - leg.from;
-  span.add(leg.from + std::clamp(low, 0.0, 1.0) * lasts,
-           leg.from + std::clamp(high, 0.0, 1.0) * lasts);
+  for (const Vec3& p : hull) {
+    const double s = std::clamp((p - leg.a).dot(way) / squared, 0.0, 1.0);
+    span.add(leg.from + s * lasts, leg.from + s * lasts);
+  }
 }
 
+// A place counts as passed at the instant of the way's point that is nearest to it. So legs count
+// that may be the nearest to some place of the stage.
 void set_time(FlightStage& stage) {
+  const geom::Aabb box = *geom::bounds(stage.where);
+  double sure = std::numeric_limits<double>::infinity();
+  for (const TimedLeg& leg : stage.legs) sure = std::min(sure, furthest_from(leg, stage.where));
   Span span;
-  const std::size_t last = stage.legs.size() - 1;
-  for (std::size_t i = 0; i <= last; ++i) {
-    add_time(stage.where, stage.legs[i], i == 0, i == last, span);
+  for (const TimedLeg& leg : stage.legs) {
+    if (nearest_to(leg, box) <= sure) add_time(stage.where, leg, span);
   }
-  if (span.from > span.until) span.add(stage.legs.front().from, stage.legs.back().until);
   stage.from = span.from;
   stage.until = span.until;
 }
@@ -129,8 +146,8 @@ FlightStage curve_stage(const Segment& segment, double from, double until) {
   out.until = until;
   out.where.assign(segment.point.begin(), segment.point.end());
   for (std::size_t i = 1; i < kPoints; ++i) {
-    out.velocity.push_back((segment.point[i] - segment.point[i - 1]) *
-                           (kDegree / segment.duration));
+    out.velocity.push_back(
+        {(segment.point[i] - segment.point[i - 1]) * (kDegree / segment.duration)});
   }
   out.curve = segment;
   return out;
@@ -151,9 +168,9 @@ std::pair<FlightStage, FlightStage> halves_of_curve(const FlightStage& stage) {
 // --- missions -------------------------------------------------------------------------------
 
 // Holds all velocities that are no faster, in any direction.
-Hull any_direction(double across, double climb, double descent) {
-  return {{across, across, 0},  {-across, across, 0}, {-across, -across, 0},
-          {across, -across, 0}, {0, 0, climb},        {0, 0, -descent}};
+std::vector<Velocity> any_direction(double across, double climb, double descent) {
+  return {{{across, across, 0}},  {{-across, across, 0}}, {{-across, -across, 0}},
+          {{across, -across, 0}}, {{0, 0, climb}},        {{0, 0, -descent}}};
 }
 
 // Those that a sweep is beside: the ones that it names, or all of its item, or all.
@@ -171,7 +188,8 @@ std::vector<TimedLeg> legs_beside(const Sweep& sweep, const std::vector<TimedLeg
   return of_item.empty() ? legs : of_item;
 }
 
-FlightStage sweep_stage(const Sweep& sweep, const std::vector<TimedLeg>& legs, const Hull& any) {
+FlightStage sweep_stage(const Sweep& sweep, const std::vector<TimedLeg>& legs,
+                        const std::vector<Velocity>& any) {
   FlightStage out;
   out.where = sweep.hull;
   out.velocity = sweep.motion ? sweep.motion->velocity : any;
@@ -237,7 +255,7 @@ void add_legs(const FlownMission& mission, const std::vector<TimedLeg>& legs,
     if (leg.part.manoeuvre == Manoeuvre::return_home) continue;
     FlightStage stage;
     stage.where = {leg.a, leg.b};
-    if (leg.until > leg.from) stage.velocity = {(leg.b - leg.a) / (leg.until - leg.from)};
+    if (leg.until > leg.from) stage.velocity = {{(leg.b - leg.a) / (leg.until - leg.from)}};
     stage.part = leg.part;
     if (i == 0) stage.stands_on = mission.ends.takeoff_from;
     if (i == mission.path.size()) stage.stands_on = mission.ends.landing_on;
@@ -309,7 +327,7 @@ std::vector<FlightStage> stages_of(const Drift& drift) {
     climb = std::max(climb, rate);
     descent = std::max(descent, -rate);
   }
-  const Hull any = any_direction(drift.speed, climb, descent);
+  const auto any = any_direction(drift.speed, climb, descent);
   std::vector<FlightStage> out;
   for (const Sweep& sweep : drift.sweeps) {
     if (sweep.part.manoeuvre == Manoeuvre::return_home) continue;
@@ -321,7 +339,7 @@ std::vector<FlightStage> stages_of(const Drift& drift) {
 
 std::vector<FlightStage> stages_of(const FlownMission& mission, double speed) {
   const std::vector<TimedLeg> legs = timed_legs(mission, speed);
-  const Hull any =
+  const auto any =
       any_direction(speed, std::max(mission.climb, speed), std::max(mission.descent, speed));
   std::vector<FlightStage> out;
   add_legs(mission, legs, out);

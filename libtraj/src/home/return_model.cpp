@@ -19,6 +19,7 @@ ReturnModel return_model(const Autopilot& autopilot) {
   out.height = autopilot.return_height;
   out.least_climb = autopilot.return_climb;
   out.slope = autopilot.return_slope;
+  out.known = autopilot.returns_home;
   out.rally_adds = autopilot.rally_adds;
   out.home_always = autopilot.firmware == Firmware::ardupilot;
   out.reaction = kReaction;

@@ -97,8 +97,14 @@ class Prover {
 
   bool done() const { return first_gap_only_ && !gaps.empty(); }
 
+  // A trajectory has no items.
+  static std::optional<FlightPart> part_of(const FlightStage& stage) {
+    if (stage.curve) return std::nullopt;
+    return stage.part;
+  }
+
   void add_gap(const FlightStage& stage, const Obstruction& found) {
-    gaps.push_back({stage.from, stage.until, stage.part, model_.autopilot, found.phase,
+    gaps.push_back({stage.from, stage.until, part_of(stage), model_.autopilot, name(found.phase),
                     found.reason, found.place, found.box, found.fence});
   }
 
@@ -133,6 +139,7 @@ class Prover {
 
   // The first thing that some return from the stage meets.
   std::optional<Obstruction> obstruction(const FlightStage& stage) {
+    if (!model_.known) return Obstruction{ReturnPhase::landing, Reason::return_home, task_.home};
     if (task_.action == ReturnAction::hold) return first_met(stage, holding_sweeps(model_, stage));
     if (task_.action == ReturnAction::land) {
       const double floor = scene_.map().spec().bounds.min.z();
@@ -241,19 +248,18 @@ class Prover {
   std::vector<bool> grounds_;        // of these, whether it may land there
 };
 
-bool is_same(const ReturnGap& a, const ReturnGap& b) {
-  return a.part == b.part && a.autopilot == b.autopilot && a.phase == b.phase &&
-         a.reason == b.reason && a.box == b.box && a.fence == b.fence;
+bool is_alike(const ReturnGap& a, const ReturnGap& b) {
+  return a.phase == b.phase && a.reason == b.reason;
 }
 
-// Ascending and apart; what overlaps keeps the reason of the earlier.
+// Ascending and apart. Those that touch and are alike become one, which keeps what the first met.
 std::vector<ReturnGap> joined(std::vector<ReturnGap> gaps) {
   std::stable_sort(gaps.begin(), gaps.end(),
                    [](const ReturnGap& a, const ReturnGap& b) { return a.from < b.from; });
   std::vector<ReturnGap> out;
   for (ReturnGap& gap : gaps) {
     if (!out.empty() && gap.from <= out.back().until) {
-      if (is_same(out.back(), gap)) out.back().until = std::max(out.back().until, gap.until);
+      if (is_alike(out.back(), gap)) out.back().until = std::max(out.back().until, gap.until);
       if (gap.until <= out.back().until) continue;
       gap.from = out.back().until;
     }
@@ -268,11 +274,11 @@ void require_task(std::span<const std::vector<FlightStage>> stages, const Return
   throw geom::UsageError("a return needs the stages of the flight for each autopilot");
 }
 
-ReturnProof prove(const geom::CollisionScene& scene,
-                  std::span<const std::vector<FlightStage>> stages, const ReturnTask& task,
-                  bool first_gap_only) {
+ReturnReport prove(const geom::CollisionScene& scene,
+                   std::span<const std::vector<FlightStage>> stages, const ReturnTask& task,
+                   bool first_gap_only) {
   require_task(stages, task);
-  ReturnProof proof;
+  ReturnReport proof{.action = std::string(name(task.action)), .home = task.home};
   proof.height = task.models.front().height;
   std::vector<ReturnGap> gaps;
   for (std::size_t i = 0; i < stages.size(); ++i) {
@@ -281,6 +287,7 @@ ReturnProof prove(const geom::CollisionScene& scene,
       proof.duration = std::max(proof.duration, stage.until);
       prover.prove(stage);
     }
+    proof.autopilot += (i > 0 ? ", " : "") + task.models[i].autopilot;
     proof.height = std::min(proof.height, task.models[i].height);
     proof.longest = std::max(proof.longest, prover.longest);
     gaps.insert(gaps.end(), prover.gaps.begin(), prover.gaps.end());
@@ -292,15 +299,9 @@ ReturnProof prove(const geom::CollisionScene& scene,
 
 }  // namespace
 
-double share(const ReturnProof& proof) {
-  if (proof.duration == 0) return proof.gaps.empty() ? 1 : 0;
-  double without = 0;
-  for (const ReturnGap& gap : proof.gaps) without += gap.until - gap.from;
-  return std::clamp(1 - without / proof.duration, 0.0, 1.0);
-}
-
-ReturnProof prove_return(const geom::CollisionScene& scene,
-                         std::span<const std::vector<FlightStage>> stages, const ReturnTask& task) {
+ReturnReport prove_return(const geom::CollisionScene& scene,
+                          std::span<const std::vector<FlightStage>> stages,
+                          const ReturnTask& task) {
   return prove(scene, stages, task, false);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace traj {
 namespace {
@@ -10,6 +11,7 @@ using Plan = std::vector<Vec2>;
 
 constexpr double kVerticalBraking = 2.5;  // m/s2, less than autopilots brake with
 constexpr double kSteepestSure = 2;       // of a cone: PX4 keeps to it near the place
+constexpr double kRoomAtRest = 0.3;       // m beside a rest by which it may be off
 constexpr double kSlowestLanding = 0.3;   // m/s, of both firmwares near the ground
 
 // All points within `by` metres of those along each axis.
@@ -33,6 +35,26 @@ Plan hull_of_both(Plan a, const Plan& b) {
 double vertical_way(const ReturnModel& model, double rate) {
   return rate * model.reaction + rate * rate / (2 * kVerticalBraking) +
          rate * kVerticalBraking / (2 * model.jerk);
+}
+
+// The most that it is fast across, m/s, in a region of this plan: what it reaches since its rest,
+// and from what it can slow down to its next.
+double speed_at(const ReturnModel& model, const Velocity& velocity, const Plan& plan) {
+  double speed = velocity.value.head<2>().norm();
+  for (const std::optional<Vec3>& rest : {velocity.since, velocity.until}) {
+    if (!rest) continue;
+    const double away = furthest(plan, rest->head<2>()) + kRoomAtRest;
+    speed = std::min(speed, std::sqrt(2 * model.deceleration * away));
+  }
+  return speed;
+}
+
+// The most that it goes on, m, until it rests: it slows down to rest where it is to rest anyway.
+double way_to_rest(const ReturnModel& model, const Velocity& velocity, const Plan& plan,
+                   double speed) {
+  if (!velocity.until) return std::numeric_limits<double>::infinity();
+  const double left = furthest(plan, velocity.until->head<2>());
+  return left + speed * (model.reaction + model.overshoot_time);
 }
 
 double overshot(const ReturnModel& model) {
@@ -60,7 +82,8 @@ class Return {
     std::vector<ReturnSweep> out{{braking_, ReturnPhase::braking, stage_.stands_on}};
     out.push_back({{braking_.plan, braking_.low, top_high_}, ReturnPhase::climb, stage_.stands_on});
     const Plan end = widened({target_}, overshot(model_));
-    out.push_back({{hull_of_both(braking_.plan, end), low_, top_high_}, ReturnPhase::way});
+    out.push_back(
+        {{hull_of_both(braking_.plan, end), low_, top_high_}, ReturnPhase::way, stage_.stands_on});
     out.push_back({sinking(), ReturnPhase::descent, place_.ground.z()});
     out.push_back({{end, std::min(place_.ground.z(), low_), top_high_},
                    ReturnPhase::descent,
@@ -79,7 +102,7 @@ class Return {
       const double cone = place_.ground.z() + std::min(model_.slope, kSteepestSure) * away;
       low = std::min(low, std::max(braking_.low, std::min(height, cone)));
     }
-    return low - model_.under;
+    return std::max(low - model_.under, std::min(braking_.low, place_.ground.z()));
   }
 
   // Sinking begins within the radius of the place, from any side from which it may come, and goes
@@ -116,26 +139,30 @@ Sweep sweep_of(const ReturnSweep& one, const FlightPart& part) {
 }
 
 Prism braking_region(const ReturnModel& model, const FlightStage& stage) {
+  Prism out = prism_around(stage.where);
+  const Plan begin = out.plan;
   double fastest = 0;
+  for (const Velocity& v : stage.velocity) fastest = std::max(fastest, speed_at(model, v, begin));
+  const double factor = braking_factor(model, fastest);
   double rise = 0;
   double sink = 0;
-  for (const Vec3& v : stage.velocity) {
-    fastest = std::max(fastest, v.head<2>().norm());
-    rise = std::max(rise, v.z());
-    sink = std::max(sink, -v.z());
-  }
-  Prism out = prism_around(stage.where);
-  out.low -= vertical_way(model, sink);
-  out.high += vertical_way(model, rise);
-  const double factor = braking_factor(model, fastest);
-  const Plan begin = out.plan;
-  for (const Vec2& p : begin) {
-    for (const Vec3& v : stage.velocity) {
-      out.plan.push_back(p + v.head<2>() * factor);
-      out.plan.push_back(p - v.head<2>() * model.overshoot_time);
+  for (const Velocity& v : stage.velocity) {
+    rise = std::max(rise, v.value.z());
+    sink = std::max(sink, -v.value.z());
+    const double speed = speed_at(model, v, begin);
+    if (speed == 0) continue;
+    const Vec2 along = v.value.head<2>().normalized();
+    const double way = std::min(speed * factor, way_to_rest(model, v, begin, speed));
+    for (const Vec2& p : begin) {
+      out.plan.push_back(p + along * way);
+      out.plan.push_back(p - along * (speed * model.overshoot_time));
     }
   }
   out.plan = widened(plan_hull(std::move(out.plan)), fastest > 0 ? model.overshoot : 0);
+  out.low -= vertical_way(model, sink);
+  out.high += vertical_way(model, rise);
+  if (stage.stands_on)
+    out.low = std::max(out.low, std::min(prism_around(stage.where).low, *stage.stands_on));
   return out;
 }
 

@@ -44,8 +44,10 @@ void add_reason(JsonLine& line, const ReportRecord& record, const geom::BoxMap& 
     line.add("reason", name(result.reason));
   } else if (!result.ok) {
     add_violation(line, result, map);
-  } else if (!accepted(record)) {  // never, unless one of the two checks is wrong
+  } else if (record.exact && !record.exact->ok) {  // never, unless one of the checks is wrong
     line.add("reason", "exact");
+  } else if (!accepted(record)) {
+    line.add("reason", name(Reason::return_home));
   }
 }
 
@@ -77,6 +79,28 @@ JsonLine object_of(const ExactResult& exact, const ReportRecord& record, const g
   }
   line.add("pieces", pieces(exact));
   if (record.checked == "trajectory") line.add("joints", joints(exact));
+  return line;
+}
+
+JsonLine object_of(const ReturnGap& gap, const geom::BoxMap& map) {
+  JsonLine line;
+  line.add("from", gap.from).add("until", gap.until);
+  if (gap.part) line.add("item", gap.part->item).add("part", name(gap.part->manoeuvre));
+  line.add("autopilot", gap.autopilot).add("phase", gap.phase).add("reason", name(gap.reason));
+  line.add("at", gap.place);
+  add_box(line, gap.box, map);
+  if (gap.fence) line.add("fence", *gap.fence);
+  return line;
+}
+
+JsonLine object_of(const ReturnReport& returns, const geom::BoxMap& map) {
+  JsonLine line;
+  line.add("action", returns.action).add("autopilot", returns.autopilot);
+  line.add("home", returns.home).add("height", returns.height);
+  line.add("share", returns.share()).add("duration", returns.duration);
+  line.add("longest", returns.longest);
+  line.add("gaps", returns.gaps, [&](const ReturnGap& gap) { return object_of(gap, map); });
+  line.add("least_height", returns.least_height);
   return line;
 }
 
@@ -145,7 +169,8 @@ void refuse_unmeasured(const Limits& asked, const Vec3& place, ReportRecord& rep
 }
 
 bool accepted(const ReportRecord& record) {
-  return record.result.ok && (!record.exact || record.exact->ok);
+  return record.result.ok && (!record.exact || record.exact->ok) &&
+         (!record.returns || record.returns->ok());
 }
 
 std::string to_json_line(const ReportRecord& record, const geom::BoxMap& map) {
@@ -176,6 +201,7 @@ std::string to_json_line(const ReportRecord& record, const geom::BoxMap& map) {
   line.add("jumps", result.jumps);
   add_not_measured(line, record);
   if (record.exact) line.add("exact", object_of(*record.exact, record, map));
+  if (record.returns) line.add("return", object_of(*record.returns, map));
   add(line, record.provenance);
   add(line, record.time);
   add(line, record.limits);

@@ -148,6 +148,45 @@ std::string clearance_in_words(const CheckResult& result, bool path) {
                      path ? "" : " s");
 }
 
+std::string_view phase_in_words(std::string_view phase) {
+  if (phase == "way") return "on its way home";
+  if (phase == "climb") return "while it climbs";
+  if (phase == "descent") return "while it sinks";
+  return phase == "braking" ? "while it brakes" : "where it lands";
+}
+
+std::string met_in_words(const ReturnGap& gap, const geom::BoxMap& map) {
+  const Vec3& p = gap.place;
+  const std::string near = fmt::format(", near [{:.3f}, {:.3f}, {:.3f}]", p.x(), p.y(), p.z());
+  switch (gap.reason) {
+    case Reason::bounds:
+      return "the vehicle leaves the map's bounds" + near;
+    case Reason::fence:
+      return "the vehicle leaves the fence" + near;
+    case Reason::landing:
+      return "there is no level ground as high as home" + near;
+    case Reason::return_home:
+      return "the autopilot may go to another place (RTL_TYPE)";
+    default:
+      return "the vehicle meets " + obstacle(map, gap.box) + near;
+  }
+}
+
+// Of a refused report, where the flight itself is clear.
+std::string returns_in_words(const ReturnReport& returns, const geom::BoxMap& map) {
+  const ReturnGap& gap = returns.gaps.front();
+  std::string out = fmt::format("from {:.4g} s to {:.4g} s no way home is proved: {} {}", gap.from,
+                                gap.until, phase_in_words(gap.phase), met_in_words(gap, map));
+  if (returns.gaps.size() > 1) out += fmt::format(", and {} more", returns.gaps.size() - 1);
+  out +=
+      fmt::format("; {} holds for {:.4g} % of the flight", returns.action, 100 * returns.share());
+  if (returns.action != "rtl") return out;
+  if (returns.least_height) {
+    return out + fmt::format("; return at {:.4g} m above home", *returns.least_height);
+  }
+  return out + "; no return height makes all of it safe: fly another way, or add rally points";
+}
+
 std::string accepted_in_words(const ReportRecord& report) {
   const CheckResult& result = report.result;
   const bool path = report.checked == "path";
@@ -155,6 +194,13 @@ std::string accepted_in_words(const ReportRecord& report) {
                                         : std::string("clear on every leg");
   out += clearance_in_words(result, path);
   if (report.exact) out += "; proved again in exact numbers";
+  if (report.returns) {
+    out += fmt::format("; {} is clear from every instant", report.returns->action);
+    if (report.returns->least_height) {
+      out += fmt::format(" (at {:.4g} m; from {:.4g} m on)", report.returns->height,
+                         *report.returns->least_height);
+    }
+  }
   std::vector<std::string> missing;
   for (const Limit limit : not_measured(result, report.limits)) {
     missing.push_back(spoken(kind_of(limit).quantity));
@@ -342,12 +388,14 @@ std::string advice_for(const ReportRecord& report) {
 
 std::string_view verdict_word(const ReportRecord& report) {
   if (accepted(report)) return "ok";
-  return report.result.ok ? "exact" : name(report.result.reason);
+  if (!report.result.ok) return name(report.result.reason);
+  return report.exact && !report.exact->ok ? "exact" : name(Reason::return_home);
 }
 
 std::string in_words(const ReportRecord& report, const geom::BoxMap& map) {
   if (accepted(report)) return accepted_in_words(report);
   if (!report.result.ok) return refused_in_words(report, map);
+  if (!report.exact || report.exact->ok) return returns_in_words(*report.returns, map);
   return fmt::format(
       "the exact check refuses what the other accepts ({}); one of them is wrong: "
       "please report it",

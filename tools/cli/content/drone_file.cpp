@@ -6,11 +6,11 @@
 #include <array>
 
 #include "cli/answer/exit.h"
-#include "traj/files/drone_formats.h"
-#include "traj/files/own_formats.h"
 #include "cli/option/numbers_option.h"
 #include "cli/option/placement_option.h"
 #include "geom/base/error.h"
+#include "traj/files/drone_formats.h"
+#include "traj/files/own_formats.h"
 #include "traj/mission/formats/mission_formats.h"
 
 namespace cli {
@@ -28,10 +28,20 @@ const std::vector<std::string>& option_names() {
   return names;
 }
 
+// What says how an autopilot returns, from records too.
+bool counts_with_return(std::string_view option) {
+  constexpr std::string_view kAll[] = {"--return-height", "--autopilot", "--params", "--drag",
+                                       "--navigation"};
+  return std::find(std::begin(kAll), std::end(kAll), option) != std::end(kAll);
+}
+
 // What the tools that read drone files take.
 const std::vector<FormatOption>& reading_options() {
   static const std::vector<FormatOption> rows = [] {
     auto out = file_option_rows(&traj::MissionFormat::reads_with);
+    for (FormatOption& row : out) {
+      if (counts_with_return(row.option)) row.with = "--return";
+    }
     FormatOption& metres =
         out.emplace_back(FormatOption{"--metres", {kRecordsWord, kFlightLogWord}});
     for (const traj::MissionFormat* one : traj::mission_formats()) {

@@ -15,10 +15,11 @@ void require_used(const CLI::App& app, std::span<const FormatOption> table, std:
     if (!app.get_option_no_throw(row.option)) continue;
     const bool read =
         std::find(row.formats.begin(), row.formats.end(), format) != row.formats.end();
-    const bool used = read || (row.with && app.get_option(row.with)->count() > 0);
+    const CLI::Option* with = row.with ? app.get_option_no_throw(row.with) : nullptr;
+    const bool used = read || (with && with->count() > 0);
     only_for(app, used, {row.option},
              fmt::format("{} files{}{} ({})", fmt::join(row.formats, ", "),
-                         row.with ? " or with " : "", row.with ? row.with : "", because));
+                         with ? " or with " : "", with ? row.with : "", because));
   }
 }
 

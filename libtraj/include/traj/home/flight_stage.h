@@ -25,8 +25,8 @@ namespace traj {
 struct FlightStage {
   double from = 0;  // s after the flight begins
   double until = 0;
-  std::vector<Vec3> where;     // m; at least one point
-  std::vector<Vec3> velocity;  // m/s; may be empty: it rests
+  std::vector<Vec3> where;         // m; at least one point
+  std::vector<Velocity> velocity;  // may be empty: it rests
   FlightPart part = {};
   std::optional<double> stands_on = {};  // as Sweep::stands_on
 

@@ -35,6 +35,7 @@ struct ReturnModel {
   double least_climb = 0;    // m that it climbs at least
   double slope = 0;          // height over distance of the cone in which it stays low; 0: none
   double low_within = 0;     // m from home within which it may stay low
+  bool known = true;         // false: it may go where nobody knows (RTL_TYPE)
   bool home_always = false;  // it may go home where a rally point is nearer
   bool rally_adds = false;   // `height` counts from a rally point; else from home
 

@@ -6,9 +6,9 @@
 //   traj::ReturnTask task;
 //   task.models = {traj::return_model(traj::px4("1.17"))};
 //   task.home = geom::Vec3{0, 0, 0};
-//   const traj::ReturnProof proof = traj::prove_return(scene, {traj::stages_of(trajectory)}, task);
-//   std::cout << 100 * traj::share(proof) << " % of the time\n";
-//   for (const traj::ReturnGap& gap : proof.gaps) std::cout << gap.from << " to " << gap.until <<
+//   const traj::ReturnReport proof = traj::prove_return(scene, {traj::stages_of(trajectory)},
+//   task); std::cout << 100 * proof.share() << " % of the time\n"; for (const traj::ReturnGap& gap
+//   : proof.gaps) std::cout << gap.from << " to " << gap.until <<
 //   '\n';
 
 #include <cstddef>
@@ -17,10 +17,9 @@
 #include <string>
 #include <vector>
 
-#include "geom/base/execution.h"
 #include "geom/collision/collision.h"
 #include "traj/home/return_sweeps.h"
-#include "traj/proof/reason.h"
+#include "traj/record/return_report.h"
 
 namespace traj {
 
@@ -38,36 +37,14 @@ struct ReturnTask {
   std::optional<double> start = {};
 };
 
-// A time from which no return is proved, and the first reason that was found.
-struct ReturnGap {
-  double from = 0;  // s of the flight, closed
-  double until = 0;
-  FlightPart part = {};
-  std::string autopilot = {};
-  ReturnPhase phase = ReturnPhase::braking;
-  Reason reason = Reason::collision;      // bounds, collision, fence or landing
-  Vec3 place = Vec3::Zero();              // m: of what it would meet
-  std::optional<std::size_t> box = {};    // an index into the map
-  std::optional<std::size_t> fence = {};  // into the fences
-};
-
-struct ReturnProof {
-  double duration = 0;          // s
-  double height = 0;            // m: the return height it holds for, the least of the models'
-  std::vector<ReturnGap> gaps;  // ascending, apart
-  double longest = 0;           // s that a return may take, by its speeds: an estimate
-};
-
-// The part of the time from which a return is proved, 0 to 1.
-double share(const ReturnProof& proof);
-
 // From every stage of every model: its sweeps (return_sweeps) are clear of the map for the vehicle
 // with the larger of its margin and the model's `around` with `room`, and keep to bounds and
 // fences; a stage that is not clear is divided until its parts are, or are `finest` metres long.
 // Sound: all places outside of the gaps' times have a return that is clear. Nothing is sampled. The
-// same for any number of threads. `stages` has one list for each of the models.
-ReturnProof prove_return(const geom::CollisionScene& scene,
-                         std::span<const std::vector<FlightStage>> stages, const ReturnTask& task);
+// same for any number of threads. `least_height` is left open. `stages` has one list for each of
+// the models.
+ReturnReport prove_return(const geom::CollisionScene& scene,
+                          std::span<const std::vector<FlightStage>> stages, const ReturnTask& task);
 
 // A region of a return that is proved, and the metres along each axis beside it for which it is,
 // the scene's half sizes left out.

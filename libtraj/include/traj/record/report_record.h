@@ -21,6 +21,7 @@
 #include "geom/record/record.h"
 #include "traj/proof/check.h"
 #include "traj/proof/exact/exact_check.h"
+#include "traj/record/return_report.h"
 #include "traj/record/trajectory_record.h"
 
 namespace traj {
@@ -53,6 +54,7 @@ struct ReportRecord {
   geom::FlightTime time = {};
   // Whether timed boxes counted by their times; else as always there.
   bool by_time = false;
+  std::optional<ReturnReport> returns = {};  // where it was asked for
   bool dropped = false;  // refused and left out: the verdict on the others does not count it
 };
 

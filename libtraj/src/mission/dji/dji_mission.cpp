@@ -61,6 +61,7 @@ class DjiFlight {
     for (const Turn& turn : turns_) sweep(turn);
     flown_.path_stray = kMissionStray;
     flown_.idle_items = mission_.actions;
+    flown_.return_height = mission_.return_height;
     return std::move(flown_);
   }
 

@@ -59,15 +59,24 @@ class DriftMaker {
   // As on these legs; where one of them rises or sinks, so may the vehicle on all.
   Motion along(std::size_t first, std::size_t last) const {
     Motion motion{first, last, {}};
-    bool level = first > 0 && last < task_.path.size();
+    bool rises = first == 0;
+    bool sinks = last >= task_.path.size();
     for (std::size_t i = std::max<std::size_t>(first, 1); i <= last && i < task_.path.size(); ++i) {
-      motion.velocity.push_back(direction(i) * speed_at_end(i));
-      level = level && direction(i).z() == 0;
+      motion.velocity.push_back(velocity(i));
+      rises = rises || direction(i).z() > 0;
+      sinks = sinks || direction(i).z() < 0;
     }
-    if (level) return motion;
-    motion.velocity.push_back({0, 0, pilot_.climb});
-    motion.velocity.push_back({0, 0, -pilot_.descent});
+    if (rises) motion.velocity.push_back({{0, 0, pilot_.climb}});
+    if (sinks) motion.velocity.push_back({{0, 0, -pilot_.descent}});
     return motion;
+  }
+
+  // On the leg to a point.
+  Velocity velocity(std::size_t i) const {
+    Velocity out{direction(i) * speed_at_end(i)};
+    if (i > 1 && stops(i - 1)) out.since = at(i - 1);
+    if (i + 1 == task_.path.size() || stops(i)) out.until = at(i);
+    return out;
   }
 
   // --- times ----------------------------------------------------------------------------------
@@ -263,7 +272,7 @@ class DriftMaker {
     for (const Vec3& from : task_.turns[i].from) {
       hull.push_back(before_corner(from, p, begin));
       const Vec3 way = p - from;
-      if (!way.isZero(0)) motion.velocity.push_back(way * (fast / way.norm()));
+      if (!way.isZero(0)) motion.velocity.push_back({way * (fast / way.norm())});
     }
     add(std::move(hull), part, std::move(motion));
     swing(i, fast, part);

@@ -16,7 +16,12 @@ void turn(Axes axes, std::vector<Vec3>& places) {
 void turn(Axes axes, std::vector<Sweep>& sweeps) {
   for (Sweep& sweep : sweeps) {
     turn(axes, sweep.hull);
-    if (sweep.motion) turn(axes, sweep.motion->velocity);
+    if (!sweep.motion) continue;
+    for (Velocity& velocity : sweep.motion->velocity) {
+      velocity.value = geom::to_enu(axes, velocity.value);
+      if (velocity.since) velocity.since = geom::to_enu(axes, *velocity.since);
+      if (velocity.until) velocity.until = geom::to_enu(axes, *velocity.until);
+    }
   }
 }
 
@@ -55,6 +60,7 @@ void turn(Axes axes, FlownMission& mission) {
     for (geom::Vec2& p : fence.ring) p = geom::to_enu(axes, {p.x(), p.y(), 0}).head<2>();
   }
   turn(axes, mission.rally);
+  turn(axes, mission.rally_points);
   turn(axes, mission.touches);
   if (mission.home) mission.home = geom::to_enu(axes, *mission.home);
 }

@@ -460,6 +460,9 @@ class Flight {
     if (!z) return;
     flown_.home = mission_.home ? on_map(*mission_.home, *z) : path().front();
     flown_.home->z() = *z;
+    for (const geom::GeodeticPlace& rally : mission_.rally) {
+      flown_.rally_points.push_back(on_map(rally, *z + rally.height));
+    }
   }
 
   const Mission& mission_;

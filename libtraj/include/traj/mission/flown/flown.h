@@ -51,11 +51,13 @@ struct FlownLegs {
 
 // The legs of a mission, and the regions beside them in which the vehicle may be anywhere.
 struct FlownMission : FlownLegs {
-  std::vector<FlightPart> legs;   // the one that leads to each point, and the landing's
-  std::vector<Sweep> sweeps;      // at waypoints without a rest, and on curves
-  std::vector<Drift> drift;       // where the autopilots may be, the way itself included
-  std::vector<Fence> fences;      // that the path and the sweeps keep to
-  std::vector<Vec3> rally;        // places in the air from which it may land instead
+  std::vector<FlightPart> legs;    // the one that leads to each point, and the landing's
+  std::vector<Sweep> sweeps;       // at waypoints without a rest, and on curves
+  std::vector<Drift> drift;        // where the autopilots may be, the way itself included
+  std::vector<Fence> fences;       // that the path and the sweeps keep to
+  std::vector<Vec3> rally;         // places in the air from which it may land instead of at home
+  std::vector<Vec3> rally_points;  // all of the file, whether or not the mission ends with a return
+  std::optional<double> return_height;  // m above home that the file asks for
   std::vector<Vec3> touches;      // places in the air from which it sinks to the ground on its way
   std::optional<Vec3> home;       // as assumed: in the file, or under the first point
   bool returns = false;           // ends with a return to home, by a way that is not known

@@ -15,12 +15,20 @@
 
 namespace traj {
 
+// A velocity, m/s. If the vehicle began at rest, or is to rest, at a place of the leg, it is slower
+// near that place than this.
+struct Velocity {
+  Vec3 value = Vec3::Zero();
+  std::optional<Vec3> since = {};  // the place where it rested before
+  std::optional<Vec3> until = {};  // the place where it will rest
+};
+
 // How a vehicle may move in a region: any velocity in the convex hull of these and 0, on these legs
-// of its way. Without velocities any direction counts.
+// of its way.
 struct Motion {
   std::size_t first_leg = 0;
   std::size_t last_leg = 0;
-  std::vector<Vec3> velocity = {};  // m/s
+  std::vector<Velocity> velocity = {};
 };
 
 // The convex hull of a few points, metres.

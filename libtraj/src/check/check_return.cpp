@@ -1,0 +1,125 @@
+#include "traj/check/check_return.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "geom/base/usage_error.h"
+#include "traj/curve/vertical_ends.h"
+
+namespace traj {
+namespace {
+
+using Stages = std::vector<FlightStage>;
+
+void set_height(const ReturnRules& rules, ReturnModel& model) {
+  if (rules.height) model.height = *rules.height;
+}
+
+ReturnTask task_of(const Flier& flier, const ReturnRules& rules) {
+  ReturnTask task;
+  task.action = rules.action;
+  task.start = rules.start;
+  task.room = flier.allowance(false);
+  return task;
+}
+
+ReturnReport prove(const geom::CollisionScene& scene, const std::vector<Stages>& stages,
+                   const ReturnTask& task, const ReturnRules& rules) {
+  ReturnReport report = prove_return(scene, stages, task);
+  if (rules.least_height) report.least_height = least_return_height(scene, stages, task);
+  return report;
+}
+
+// The ground below the place where a record begins.
+Vec3 home_below(const geom::CollisionScene& scene, const Vec3& begin) {
+  return {begin.x(), begin.y(), ground_below(scene, begin)};
+}
+
+// Of a record, which any of the autopilots may fly.
+ReturnReport prove_record(const geom::CollisionScene& scene, const Stages& stages,
+                          const Vec3& begin, const Flier& flier, const ReturnRules& rules) {
+  ReturnTask task = task_of(flier, rules);
+  task.home = rules.home ? *rules.home : home_below(scene, begin);
+  for (const Autopilot& autopilot : flier.autopilots) {
+    set_height(rules, task.models.emplace_back(return_model(autopilot)));
+  }
+  return prove(scene, std::vector<Stages>(task.models.size(), stages), task, rules);
+}
+
+// The stages of each autopilot that loads the mission, and its model.
+void add_autopilots(const FlownMission& mission, const Flier& flier, const ReturnRules& rules,
+                    ReturnTask& task, std::vector<Stages>& stages) {
+  for (const Drift& drift : mission.drift) {
+    const auto autopilot =
+        std::find_if(flier.autopilots.begin(), flier.autopilots.end(),
+                     [&](const Autopilot& one) { return one.name == drift.autopilot; });
+    ReturnModel& model = task.models.emplace_back(return_model(*autopilot));
+    model.around += mission.path_stray;
+    set_height(rules, model);
+    stages.push_back(stages_of(drift));
+  }
+}
+
+void add_dji(const FlownMission& mission, const ReturnRules& rules, ReturnTask& task,
+             std::vector<Stages>& stages) {
+  const auto height = rules.height ? rules.height : mission.return_height;
+  if (!height && rules.action == ReturnAction::rtl) {
+    throw geom::UsageError(
+        "the height of the return is a setting of the aircraft: give it with --return-height");
+  }
+  const auto speed = mission.speed ? mission.speed : rules.speed;
+  if (!speed) {
+    throw geom::UsageError(
+        "the mission does not say its speed, so nobody knows how far it brakes: give it with "
+        "--vmax");
+  }
+  ReturnModel& model = task.models.emplace_back(dji_return_model(height.value_or(0)));
+  model.around += mission.path_stray;
+  stages.push_back(stages_of(mission, *speed));
+}
+
+}  // namespace
+
+ReturnReport check_return(const geom::CollisionScene& scene, const TrajectoryRecord& record,
+                          const Flier& flier, const ReturnRules& rules) {
+  return prove_record(scene, stages_of(record.trajectory),
+                      record.trajectory.segments.front().point.front(), flier, rules);
+}
+
+ReturnReport check_return(const geom::CollisionScene& scene, const geom::PathRecord& record,
+                          const Flier& flier, const ReturnRules& rules) {
+  if (!rules.speed) {
+    throw geom::UsageError(
+        "a path has no speed, so nobody knows how far its vehicle brakes: give it with --vmax");
+  }
+  FlownMission mission;
+  mission.path = record.points;
+  return prove_record(scene, stages_of(mission, *rules.speed), record.points.front(), flier, rules);
+}
+
+ReturnReport check_return(const geom::CollisionScene& scene, const FileFlight& file,
+                          const Flier& flier, const ReturnRules& rules) {
+  const FlownMission* mission = mission_of(file.flown);
+  if (!mission) {
+    throw geom::UsageError(
+        fmt::format("--return takes missions and records: no autopilot returns from a file of {}",
+                    file.format->format.word));
+  }
+  ReturnTask task = task_of(flier, rules);
+  if (!rules.home && !mission->home) {
+    throw geom::UsageError("the mission does not say where home is: give it with --home x,y,z");
+  }
+  task.home = rules.home ? *rules.home : *mission->home;
+  task.rally = mission->rally_points;
+  task.fences = mission->fences;
+  std::vector<Stages> stages;
+  if (mission->drift.empty()) {
+    add_dji(*mission, rules, task, stages);
+  } else {
+    add_autopilots(*mission, flier, rules, task, stages);
+  }
+  return prove(scene, stages, task, rules);
+}
+
+}  // namespace traj
