@@ -16,7 +16,7 @@ Outputs::Outputs(const Options& options) : source_(options.source()) {
 
 void Outputs::add(const std::string& id) {
   Files files;
-  for (const auto& names : names_) files.push_back(names ? names->of(id, source_) : "");
+  for (auto& names : names_) files.push_back(names ? names->of(id, source_) : "");
   files_.push_back(files);
 }
 

@@ -2,12 +2,12 @@
 
 // What happens if the link to a vehicle is lost, in words for the authority that is asked.
 //
-// Example, not run:
+// Example:
 //   traj::LostLink what;
 //   what.id = "q1";
-//   what.mission = mission;
-//   what.proof = traj::prove_return(scene, of.stages, of.task);
-//   std::cout << traj::lost_link_procedure(scene, what);
+//   what.origin = {47.4, 8.5, 400};
+//   what.proof.duration = 60;
+//   assert(traj::lost_link_procedure(scene, what).starts_with("Lost-link procedure of flight q1"));
 
 #include <string>
 #include <vector>
