@@ -124,7 +124,11 @@ class ReturnExport {
     for (const ReturnModel& model : of.task.models) {
       const double beside = scene_.vehicle().half.z() +
                             std::max(scene_.margin(), model.around.z() + of.task.room.z());
-      const double top = of.task.home.z() + model.height + beside;
+      double from = of.task.home.z();
+      for (const Vec3& rally : of.task.rally) {
+        if (model.rally_adds) from = std::max(from, rally.z());
+      }
+      const double top = from + model.height + beside;
       if (top <= ceiling) continue;
       return fmt::format(
           "the return of {} at {:g} m above home reaches z = {:.4g}, above the map's ceiling at "
