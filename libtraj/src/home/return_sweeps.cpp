@@ -102,7 +102,7 @@ class Return {
       const double cone = place_.ground.z() + std::min(model_.slope, kSteepestSure) * away;
       low = std::min(low, std::max(braking_.low, std::min(height, cone)));
     }
-    return std::max(low - model_.under, std::min(braking_.low, place_.ground.z()));
+    return std::max(low - model_.under, braking_.low);
   }
 
   // Sinking begins within the radius of the place, from any side from which it may come, and goes

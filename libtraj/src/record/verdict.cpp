@@ -187,6 +187,10 @@ std::string returns_in_words(const ReturnReport& returns, const geom::BoxMap& ma
   if (returns.least_height) {
     return out + fmt::format("; return at {:.4g} m above home", *returns.least_height);
   }
+  if (returns.best_height && *returns.best_share > returns.share()) {
+    out += fmt::format(", and at {:.4g} m above home for {:.4g} %", *returns.best_height,
+                       100 * *returns.best_share);
+  }
   return out + "; no return height makes all of it safe: fly another way, or add rally points";
 }
 
