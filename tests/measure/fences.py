@@ -23,17 +23,17 @@ KINDS = [asked] if asked else [["--autopilot", "px4", "--return-height", str(hei
     ["--autopilot", "ardupilot", "--return-height", "60"]]
 
 
-def run(*command, **options):
-    return subprocess.run([str(word) for word in command], capture_output=True, text=True, **options)
+def run(*command, check=False):
+    return subprocess.run([str(word) for word in command], capture_output=True, text=True, check=check)
 
 
-def export(boxmap, path, *options):
-    return run(bin_dir / "skyway-export", boxmap, path, "--format", "qgc-plan", "--speed", "8", "--spare", "0.05", "-o", "x.plan", *options)
+def export(path, *options):
+    return run(bin_dir / "skyway-export", boxmap, path, "--format", "qgc-plan", "--speed", "8", "--spare", "0.05", "-o", plan_file, *options)
 
 
 with tempfile.TemporaryDirectory() as folder:
     work = pathlib.Path(folder)
-    boxmap = work / "city.boxmap"
+    boxmap, plan_file = work / "city.boxmap", work / "x.plan"
     # The ceiling leaves room for returns over the highest roof.
     run(bin_dir / "skyway-import", colliders, "-o", boxmap, "--ceiling", "400", check=True)
     rows = [line for line in queries.read_text().splitlines()[1:] if re.match(r"street-local,\d\d?,|street-global,[0-5]?\d,", line)]
@@ -47,7 +47,7 @@ with tempfile.TemporaryDirectory() as folder:
             continue
         path = work / f"{len(missions)}.jsonl"
         path.write_text(line + "\n")
-        if export(boxmap, path, *KINDS[0][:2], cwd=folder).returncode == 0:
+        if export(path, *KINDS[0][:2]).returncode == 0:
             missions.append(path)
     print(f"{len(missions)} missions of {len(paths)} paths")
     print("export                                    fences  corners: median  most  all boxes out  returns proved: all  mean    seconds: mean  most")
@@ -55,13 +55,13 @@ with tempfile.TemporaryDirectory() as folder:
         corners, seconds, shares, closed, refused = [], [], [], 0, {}
         for path in missions:
             begun = time.perf_counter()
-            done = export(boxmap, path, "--fence", "auto", *kind, cwd=folder)
+            done = export(path, "--fence", "auto", *kind)
             seconds.append(time.perf_counter() - begun)
             if done.returncode != 0:
                 why = re.search(r"obstacles: (.*?)(: give|$)", done.stderr) or re.search("refused: (.*)", done.stderr)
                 refused[path.stem] = why[1] if why else done.stderr
                 continue
-            plan = json.loads((work / "x.plan").read_text())
+            plan = json.loads(plan_file.read_text())
             corners.append(sum(len(p["polygon"]) for p in plan["geoFence"]["polygons"]))
             closed += "do not keep out of" not in done.stderr
             share = re.search(r"is proved for (\S+) %", done.stderr)

@@ -18,10 +18,12 @@ namespace {
 
 constexpr double kParts = 1e7;  // of a degree, as MAVLink sends them
 constexpr double kAround = 15;  // m around all regions that fences may use
-constexpr double kGaps[] = {4, 2, 1, 0.5, 0.25, 0.12, 0.06, 0.03, 0.018};  // m, tried in turn
+constexpr double kGaps[] = {8, 4, 2, 1, 0.5, 0.25, 0.12, 0.06, 0.03, 0.018};  // m, tried in turn
 constexpr double kRegionShare = 0.45;  // of a gap, kept beside a region; and beside a box
 constexpr double kBoxShare = 0.5;
-constexpr double kFine = 1;  // m: boxes that are far from regions are drawn so coarsely
+constexpr double kFarShare = 0.25;     // beside a box that is far from all regions,
+constexpr double kCoarseShare = 0.25;  // and as much for the grid on which it is drawn
+constexpr double kFine = 1;            // m: boxes that are far from regions are drawn so coarsely
 constexpr double kCellsAcross = 800;
 constexpr std::uint64_t kSeeds = 8;
 
@@ -108,11 +110,12 @@ std::vector<std::size_t> take_gaps(std::vector<TallBox>& boxes, std::vector<Regi
 
 // Its box on a coarse grid, where that is still far from regions.
 PlanBox drawn(const TallBox& box, double grid) {
-  const PlanBox exact = grown(box.plan, kBoxShare * box.gap);
-  if (box.gap < kGaps[0] || grid > 0.4 * kGaps[0]) return exact;
-  const PlanBox coarse{(exact.min / grid).array().floor().matrix() * grid,
-                       (exact.max / grid).array().ceil().matrix() * grid};
-  return coarse;
+  if (box.gap < kGaps[0] || grid > kCoarseShare * box.gap) {
+    return grown(box.plan, kBoxShare * box.gap);
+  }
+  const PlanBox larger = grown(box.plan, kFarShare * box.gap);
+  return {(larger.min / grid).array().floor().matrix() * grid,
+          (larger.max / grid).array().ceil().matrix() * grid};
 }
 
 // --- rings and fences ---------------------------------------------------------------------------

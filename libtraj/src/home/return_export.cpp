@@ -28,7 +28,8 @@
 namespace traj {
 namespace {
 
-constexpr double kLevel = 1;  // m: ground that is as high as home's
+constexpr double kLevel = 1;      // m: ground that is as high as home's
+constexpr double kFenced = 0.03;  // m that fences need between a return and an obstacle
 constexpr const char* kWritten = "what was written";
 
 MissionExport refused(std::string why) { return {{}, std::move(why), {}, {}}; }
@@ -203,10 +204,17 @@ class ReturnExport {
     }
   }
 
+  // Those that leave room for a fence.
   void add_returns(const FlightReturn& of, FenceTask& task) const {
-    for (const ProvedReturn& one : proved_returns(scene_, of.stages, of.task)) {
+    ReturnTask wider = of.task;
+    const geom::Vec2 spare(kFenced, kFenced);
+    for (ReturnModel& model : wider.models) {
+      const Vec3 margin = scene_.half() - scene_.vehicle().half - of.task.room;
+      model.around.head<2>() = model.around.cwiseMax(margin).head<2>() + spare;
+    }
+    for (const ProvedReturn& one : proved_returns(scene_, of.stages, wider)) {
       const Prism& region = one.sweep.region;
-      task.regions.push_back({corners(region), (scene_.half() + one.beside).head<2>()});
+      task.regions.push_back({corners(region), (scene_.half() + one.beside).head<2>() - spare});
       task.high = std::max(task.high, region.high);
       if (one.sweep.phase == ReturnPhase::way) task.low = std::min(task.low, region.low);
     }

@@ -171,10 +171,21 @@ class Prover {
 
   // --- one stage ----------------------------------------------------------------------------
 
-  // The first thing that some return from the stage meets. `of_whole`: the boxes near what the
-  // stage is a part of; `near` gets those near the stage.
+  // The first thing that some return from the stage meets, fences last: what is left to them is
+  // clear of the map. `of_whole`: the boxes near what the stage is a part of; `near` gets those
+  // near the stage.
   std::optional<Obstruction> obstruction(const FlightStage& stage, const NearBoxes& of_whole,
                                          NearBoxes& near) {
+    if (const auto met = met_on_map(stage, of_whole, near)) return met;
+    if (task_.fences.empty()) return std::nullopt;
+    for (const ReturnSweep& one : sweeps_from(stage)) {
+      if (const auto left = fence_left(one, stage.part)) return left;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Obstruction> met_on_map(const FlightStage& stage, const NearBoxes& of_whole,
+                                        NearBoxes& near) {
     near.assign(kMostSweeps * places_.size(), std::nullopt);
     const auto met_by = [&](const std::vector<ReturnSweep>& sweeps, std::size_t place) {
       return first_met(stage, sweeps, {of_whole, near, kMostSweeps * place});
@@ -229,7 +240,6 @@ class Prover {
       if (const auto met = box_met(one, *lists.near[list], stage.from, stage.until + lasts)) {
         return met;
       }
-      if (const auto left = fence_left(one, stage.part)) return left;
     }
     return std::nullopt;
   }
