@@ -177,6 +177,7 @@ class ReturnExport {
     task.budget = budget_;
     task.origin = mission_frame().origin;
     add_mission(mission, of.task, task);
+    // Nearer to its place a return may be lower, in a cone, and is proved there.
     task.low = std::numeric_limits<double>::infinity();
     for (const ReturnModel& model : of.task.models) {
       task.low = std::min(task.low, of.task.home.z() + model.height - model.under);
@@ -216,7 +217,6 @@ class ReturnExport {
       const Prism& region = one.sweep.region;
       task.regions.push_back({corners(region), (scene_.half() + one.beside).head<2>() - spare});
       task.high = std::max(task.high, region.high);
-      if (one.sweep.phase == ReturnPhase::way) task.low = std::min(task.low, region.low);
     }
   }
 

@@ -37,8 +37,8 @@ struct ReturnWishes {
 // is above the map's ceiling, a rally point is outside of the map, in an obstacle, without level
 // ground as high as home's below it, or outside of a fence, where fences have more corners than the
 // autopilots store, and where none can be compiled. Compiled fences hold the mission and each
-// return that is proved without them (prove_return), and keep out of the boxes that reach a
-// return's heights. `warnings` say from which times no return is proved, and which boxes are not
+// return that is proved without them and leaves 3 cm for them (prove_return), and keep out of the
+// boxes that reach the return height. `warnings` say from which times no return is proved, and which boxes are not
 // fenced out. Of volumes of airspace: the off-nominal ones are added, and hold all returns
 // (why_returns_not_held).
 //
