@@ -23,7 +23,8 @@ constexpr double kRegionShare = 0.45;  // of a gap, kept beside a region; and be
 constexpr double kBoxShare = 0.5;
 constexpr double kFarShare = 0.25;     // beside a box that is far from all regions,
 constexpr double kCoarseShare = 0.25;  // and as much for the grid on which it is drawn
-constexpr double kFine = 1;            // m: boxes that are far from regions are drawn so coarsely
+constexpr double kFine = 1;            // m: that grid, or coarser for long missions,
+constexpr double kCoarse = 2;          // but no coarser than this
 constexpr double kCellsAcross = 800;
 constexpr std::uint64_t kSeeds = 8;
 
@@ -37,6 +38,7 @@ struct TallBox {
 
 struct Region {
   Outline outline;
+  PlanBox around;
   double gap = kGaps[0];
 };
 
@@ -49,16 +51,16 @@ std::vector<Region> regions_of(const FenceTask& task) {
                     [&](const Region& r) { return in(outline, r.outline); }))
       continue;
     std::erase_if(out, [&](const Region& r) { return in(r.outline, outline); });
-    out.push_back({std::move(outline)});
+    const PlanBox around = box_around(outline);
+    out.push_back({std::move(outline), around});
   }
   return out;
 }
 
 PlanBox bounds_of(std::span<const Region> regions) {
-  PlanBox box = box_around(regions.front().outline);
+  PlanBox box = regions.front().around;
   for (const Region& one : regions) {
-    const PlanBox of = box_around(one.outline);
-    box = {box.min.cwiseMin(of.min), box.max.cwiseMax(of.max)};
+    box = {box.min.cwiseMin(one.around.min), box.max.cwiseMax(one.around.max)};
   }
   return grown(box, kAround);
 }
@@ -79,7 +81,7 @@ std::vector<TallBox> tall_boxes(const geom::CollisionScene& scene, const FenceTa
 double gap_between(const TallBox& box, const Region& region) {
   for (const double gap : kGaps) {
     const PlanBox larger = grown(box.plan, gap);
-    if (!overlap(larger, box_around(region.outline))) return gap;
+    if (!overlap(larger, region.around)) return gap;
     if (!meet(outline_of(larger), region.outline)) return gap;
   }
   return 0;
@@ -110,9 +112,8 @@ std::vector<std::size_t> take_gaps(std::vector<TallBox>& boxes, std::vector<Regi
 
 // Its box on a coarse grid, where that is still far from regions.
 PlanBox drawn(const TallBox& box, double grid) {
-  if (box.gap < kGaps[0] || grid > kCoarseShare * box.gap) {
-    return grown(box.plan, kBoxShare * box.gap);
-  }
+  static_assert(kCoarse <= kCoarseShare * kGaps[0]);
+  if (box.gap < kGaps[0]) return grown(box.plan, kBoxShare * box.gap);
   const PlanBox larger = grown(box.plan, kFarShare * box.gap);
   return {(larger.min / grid).array().floor().matrix() * grid,
           (larger.max / grid).array().ceil().matrix() * grid};
@@ -144,7 +145,7 @@ class FenceMaker {
     }
     std::vector<PlanBox> outside;
     const double across = (bounds_.max - bounds_.min).maxCoeff();
-    const double grid = std::max(kFine, across / kCellsAcross);
+    const double grid = std::clamp(across / kCellsAcross, kFine, kCoarse);
     for (const TallBox& box : boxes_) outside.push_back(drawn(box, grid));
     const auto area = rings_between(inside, outside, bounds_);
     if (!area) return {};
@@ -229,11 +230,11 @@ Fence on_map(const GeodeticFence& fence, const geom::GeodeticOrigin& origin, geo
 Vec3 flat(const Vec2& p) { return {p.x(), p.y(), 0}; }
 
 // Whether the whole box is where the fence lets nobody be: no edge comes as near to it as edges may
-// bulge, and one of its corners is on that side.
-bool keeps_out(const Fence& fence, const geom::Aabb& box) {
-  const double beside = fence.bulge + 1e-6;
-  const geom::Aabb plan{flat(box.min.head<2>() - Vec2::Constant(beside)),
-                        flat(box.max.head<2>() + Vec2::Constant(beside))};
+// bulge, and one of its corners is on that side. `around`: the fence's ring.
+bool keeps_out(const Fence& fence, const PlanBox& around, const geom::Aabb& box) {
+  const PlanBox larger = grown(PlanBox{box.min.head<2>(), box.max.head<2>()}, fence.bulge + 1e-6);
+  if (!overlap(larger, around)) return fence.inclusion;
+  const geom::Aabb plan{flat(larger.min), flat(larger.max)};
   for (std::size_t i = 0; i < fence.ring.size(); ++i) {
     const Vec3 edge[] = {flat(fence.ring[i]), flat(fence.ring[(i + 1) % fence.ring.size()])};
     if (geom::hull_meets(edge, plan)) return false;
@@ -293,11 +294,17 @@ std::optional<std::string> why_not_fenced(const geom::CollisionScene& scene, con
   if (auto why = why_region_leaves(scene, task, on)) return why;
   const geom::Aabb everywhere{{-geom::kFarthest, -geom::kFarthest, task.low},
                               {geom::kFarthest, geom::kFarthest, task.high}};
+  std::vector<PlanBox> around;
+  for (const Fence& one : on) around.push_back(box_around(one.ring));
+  const auto is_out = [&](const geom::Aabb& box) {
+    for (std::size_t i = 0; i < on.size(); ++i) {
+      if (keeps_out(on[i], around[i], box)) return true;
+    }
+    return false;
+  };
   for (const std::size_t box : scene.boxes_meeting(everywhere)) {
     if (std::binary_search(open.begin(), open.end(), box)) continue;
-    const geom::Aabb obstacle = scene.map().box(box);
-    if (std::any_of(on.begin(), on.end(), [&](const Fence& f) { return keeps_out(f, obstacle); }))
-      continue;
+    if (is_out(scene.map().box(box))) continue;
     return fmt::format("no fence keeps out of box {}", box);
   }
   return std::nullopt;

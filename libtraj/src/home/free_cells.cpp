@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <utility>
 
 namespace traj {
 namespace {
@@ -11,6 +12,7 @@ namespace {
 constexpr double kTouch = 1e-7;  // m: what comes so near to a cell is in it
 constexpr double kNudge = 0.02;  // m, at a corner where two cells of the area touch
 constexpr std::size_t kNone = -1;
+constexpr std::size_t kMostCells = 100'000'000;
 
 enum Cell : std::uint8_t { kFree, kBox, kArea };
 
@@ -50,9 +52,10 @@ Span between(const Outline& outline, double y0, double y1) {
 // A cell's column and row in one number, with a border of free cells around all.
 class Cells {
  public:
-  Cells(std::span<const PlanBox> boxes, const PlanBox& bounds)
-      : x_(cuts(boxes, bounds, 0)),
-        y_(cuts(boxes, bounds, 1)),
+  // Between these cuts, which ascend.
+  Cells(std::vector<double> x, std::vector<double> y, std::span<const PlanBox> boxes)
+      : x_(std::move(x)),
+        y_(std::move(y)),
         columns_(x_.size() + 1),
         rows_(y_.size() + 1),
         cells_(columns_ * rows_, kFree) {
@@ -83,13 +86,11 @@ class Cells {
       const auto first = std::find(cells_.begin(), cells_.end(), kArea);
       if (first == cells_.end()) return false;
       std::vector<std::size_t> before(cells_.size(), kNone);
-      std::deque<std::size_t> queue = flood(first - cells_.begin(), before);
-      const std::size_t met = search(queue, before);
-      if (met == kNone) {
-        return std::none_of(cells_.begin(), cells_.end(), [&](const std::uint8_t& cell) {
-          return cell == kArea && before[static_cast<std::size_t>(&cell - cells_.data())] == kNone;
-        });
-      }
+      const std::deque<std::size_t> found = flood(first - cells_.begin(), before);
+      const auto all = std::count(cells_.begin(), cells_.end(), kArea);
+      if (static_cast<std::ptrdiff_t>(found.size()) == all) return true;
+      const std::size_t met = search(found, before);
+      if (met == kNone) return false;
       for (std::size_t at = before[met]; cells_[at] != kArea; at = before[at]) cells_[at] = kArea;
     }
   }
@@ -135,11 +136,12 @@ class Cells {
   }
 
   void mark(const PlanBox& box) {
-    for (std::size_t row = 1; row < y_.size(); ++row) {
-      if (y_[row] <= box.min.y() || y_[row - 1] >= box.max.y()) continue;
-      for (std::size_t column = 1; column < x_.size(); ++column) {
-        if (x_[column] <= box.min.x() || x_[column - 1] >= box.max.x()) continue;
-        cells_[row * columns_ + column] = kBox;
+    for (std::size_t row = from(y_, box.min.y()); row < y_.size() && y_[row - 1] < box.max.y();
+         ++row) {
+      if (y_[row] <= box.min.y()) continue;
+      for (std::size_t column = from(x_, box.min.x());
+           column < x_.size() && x_[column - 1] < box.max.x(); ++column) {
+        if (x_[column] > box.min.x()) cells_[row * columns_ + column] = kBox;
       }
     }
   }
@@ -293,7 +295,10 @@ class Cells {
 
 std::optional<AreaRings> rings_between(std::span<const Outline> inside,
                                        std::span<const PlanBox> outside, const PlanBox& bounds) {
-  Cells cells(outside, bounds);
+  std::vector<double> x = cuts(outside, bounds, 0);
+  std::vector<double> y = cuts(outside, bounds, 1);
+  if (x.size() * y.size() > kMostCells) return std::nullopt;
+  Cells cells(std::move(x), std::move(y), outside);
   for (const Outline& region : inside) {
     if (!cells.add(region)) return std::nullopt;
   }

@@ -18,7 +18,7 @@ struct AreaRings {
 
 // One area within `bounds` that holds all of `inside` and none of the `outside` boxes, which must
 // be apart from each other: cells between the sides of boxes. Each hole has a box in it. Nothing
-// where regions are apart and no cells without a box join them.
+// where regions are apart and no cells without a box join them, and beyond a hundred million cells.
 std::optional<AreaRings> rings_between(std::span<const Outline> inside,
                                        std::span<const PlanBox> outside, const PlanBox& bounds);
 
