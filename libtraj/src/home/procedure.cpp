@@ -41,8 +41,6 @@ class Procedure {
     return in_degrees(earth_.place(geom::to_enu(scene_.map().spec().frame.axes, place)));
   }
 
-  std::size_t item_of(const FlightPart& part) const { return part.item; }
-
   Lines action() const {
     Lines out;
     const auto& legs = what_.mission.legs;
@@ -50,7 +48,7 @@ class Procedure {
       out.push_back(fmt::format(
           "If the link is lost between the take-off (item {}) and the landing (item {}), the "
           "vehicle leaves its mission and returns by itself.",
-          item_of(legs.front()), item_of(legs.back())));
+          legs.front().item, legs.back().item));
     }
     for (const ReturnModel& model : task_.models) out.push_back(way_of(model));
     out.push_back(
@@ -132,10 +130,15 @@ class Procedure {
     if (!what_.flier.assumed.empty()) {
       out.push_back(fmt::format("Of these, defaults: {}.", fmt::join(what_.flier.assumed, ", ")));
     }
-    out.emplace_back(
-        "The vehicle must be set to return when its link is lost: PX4 NAV_DLL_ACT 2 and "
-        "NAV_RCL_ACT 2, ArduPilot FS_GCS_ENABLE 1 and FS_THR_ENABLE 1.");
+    for (const Autopilot& one : what_.flier.autopilots) out.push_back(settings_of(one));
     return out;
+  }
+
+  static std::string settings_of(const Autopilot& autopilot) {
+    return fmt::format("{} must be set to return when its link is lost: {}.", autopilot.name,
+                       autopilot.firmware == Firmware::px4
+                           ? "NAV_DLL_ACT 2 and NAV_RCL_ACT 2, with RTL_TYPE 0"
+                           : "FS_GCS_ENABLE 1 and FS_THR_ENABLE 1, with RTL_ALT_FINAL 0");
   }
 
   static Lines unproved() {
