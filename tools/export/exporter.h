@@ -38,6 +38,7 @@ class Exporter {
   const cli::Common& common_;
   const Options& options_;
   std::optional<cli::Scenes> scenes_;
+  traj::ReturnWishes wishes_;
   std::set<std::string> told_;  // warnings, each once a run
 };
 

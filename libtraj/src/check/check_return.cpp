@@ -27,7 +27,15 @@ ReturnTask task_of(const Flier& flier, const ReturnRules& rules) {
 ReturnReport prove(const geom::CollisionScene& scene, const std::vector<Stages>& stages,
                    const ReturnTask& task, const ReturnRules& rules) {
   ReturnReport report = prove_return(scene, stages, task);
-  if (rules.least_height) report.least_height = least_return_height(scene, stages, task);
+  if (!rules.least_height) return report;
+  const auto best = best_return_height(scene, stages, task);
+  if (!best) return report;
+  if (best->share == 1) {
+    report.least_height = best->height;
+  } else {
+    report.best_height = best->height;
+    report.best_share = best->share;
+  }
   return report;
 }
 
@@ -36,11 +44,25 @@ Vec3 home_below(const geom::CollisionScene& scene, const Vec3& begin) {
   return {begin.x(), begin.y(), ground_below(scene, begin)};
 }
 
+// The ground below an end of a record, if it is level.
+void add_pad(const geom::CollisionScene& scene, const Vec3& end, ReturnTask& task) {
+  constexpr double kLevel = 1;  // m
+  const LandingGround ground = landing_ground(scene, end, Vec3::Zero(), kLevel);
+  if (ground.whole) task.pads.emplace_back(end.x(), end.y(), ground.height);
+}
+
+struct Ends {
+  Vec3 begin;
+  Vec3 end;
+};
+
 // Of a record, which any of the autopilots may fly.
-ReturnReport prove_record(const geom::CollisionScene& scene, const Stages& stages,
-                          const Vec3& begin, const Flier& flier, const ReturnRules& rules) {
+ReturnReport prove_record(const geom::CollisionScene& scene, const Stages& stages, const Ends& ends,
+                          const Flier& flier, const ReturnRules& rules) {
   ReturnTask task = task_of(flier, rules);
-  task.home = rules.home ? *rules.home : home_below(scene, begin);
+  task.home = rules.home ? *rules.home : home_below(scene, ends.begin);
+  add_pad(scene, ends.begin, task);
+  add_pad(scene, ends.end, task);
   for (const Autopilot& autopilot : flier.autopilots) {
     set_height(rules, task.models.emplace_back(return_model(autopilot)));
   }
@@ -84,7 +106,9 @@ void add_dji(const FlownMission& mission, const ReturnRules& rules, ReturnTask& 
 ReturnReport check_return(const geom::CollisionScene& scene, const TrajectoryRecord& record,
                           const Flier& flier, const ReturnRules& rules) {
   return prove_record(scene, stages_of(record.trajectory),
-                      record.trajectory.segments.front().point.front(), flier, rules);
+                      {record.trajectory.segments.front().point.front(),
+                       record.trajectory.segments.back().point.back()},
+                      flier, rules);
 }
 
 ReturnReport check_return(const geom::CollisionScene& scene, const geom::PathRecord& record,
@@ -95,7 +119,8 @@ ReturnReport check_return(const geom::CollisionScene& scene, const geom::PathRec
   }
   FlownMission mission;
   mission.path = record.points;
-  return prove_record(scene, stages_of(mission, *rules.speed), record.points.front(), flier, rules);
+  return prove_record(scene, stages_of(mission, *rules.speed),
+                      {record.points.front(), record.points.back()}, flier, rules);
 }
 
 ReturnReport check_return(const geom::CollisionScene& scene, const FileFlight& file,

@@ -11,27 +11,32 @@ using geom::Aabb;
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-// Whether all corners of the plan lie beyond the box along `axis`, in coordinates from the box's
-// middle; `half` is the box's. Products and sums round by less than 8 units of the largest.
-bool apart_along(const std::vector<Vec2>& plan, const Vec2& middle, const Vec2& half,
-                 const Vec2& axis) {
-  constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
-  double least = std::numeric_limits<double>::infinity();
-  double largest = 0;
-  for (const Vec2& p : plan) {
-    const Vec2 d = p - middle;
-    least = std::min(least, d.dot(axis));
-    largest = std::max(
-        {largest, std::abs(p.x()) + std::abs(p.y()), std::abs(middle.x()) + std::abs(middle.y())});
-  }
-  const Vec2 size = axis.cwiseAbs();
-  const double reach = half.dot(size);
-  const double error = kRounding * size.maxCoeff() * (largest + half.sum());
-  return least - reach > 2 * error;
+constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
+
+double size_of(const Vec2& p) { return std::abs(p.x()) + std::abs(p.y()); }
+
+// Whether the box lies beyond the edge from `a` to `b` of a plan that is to the left of it. In
+// coordinates from the edge's begin: differences, products and sums round by less than 16 units of
+// the largest.
+bool beyond(const Vec2& a, const Vec2& b, const Vec2& middle, const Vec2& half) {
+  const Vec2 edge = b - a;
+  const Vec2 out(edge.y(), -edge.x());
+  const double away = out.dot(middle - a);
+  const double reach = half.dot(out.cwiseAbs());
+  const double error =
+      kRounding * size_of(out) * (size_of(a) + size_of(b) + size_of(middle) + size_of(half));
+  return away - reach > error;
 }
 
-bool apart(const std::vector<Vec2>& plan, const Vec2& middle, const Vec2& half, const Vec2& axis) {
-  return apart_along(plan, middle, half, axis) || apart_along(plan, middle, half, -axis);
+// The same along the axes: whether no corner of the plan is within the box's extent.
+bool apart_along_axis(const std::vector<Vec2>& plan, const Aabb& box, int axis) {
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  for (const Vec2& p : plan) {
+    least = std::min(least, p[axis]);
+    most = std::max(most, p[axis]);
+  }
+  return least > box.max[axis] || most < box.min[axis];
 }
 
 double distance_to_edge(const Vec2& a, const Vec2& b, const Vec2& p) {
@@ -86,14 +91,12 @@ std::vector<Vec3> corners(const Prism& prism) {
 
 bool meets(const Prism& prism, const Aabb& box) {
   if (prism.low > box.max.z() || prism.high < box.min.z()) return false;
+  const std::vector<Vec2>& plan = prism.plan;
+  if (apart_along_axis(plan, box, 0) || apart_along_axis(plan, box, 1)) return false;
   const Vec2 middle = 0.5 * (box.min + box.max).head<2>();
   const Vec2 half = (box.max.head<2>() - middle).cwiseMax(middle - box.min.head<2>());
-  if (apart(prism.plan, middle, half, {1, 0}) || apart(prism.plan, middle, half, {0, 1})) {
-    return false;
-  }
-  for (std::size_t i = 0; i < prism.plan.size(); ++i) {
-    const Vec2 edge = prism.plan[(i + 1) % prism.plan.size()] - prism.plan[i];
-    if (apart(prism.plan, middle, half, {edge.y(), -edge.x()})) return false;
+  for (std::size_t i = 0; i < plan.size() && plan.size() > 1; ++i) {
+    if (beyond(plan[i], plan[(i + 1) % plan.size()], middle, half)) return false;
   }
   return true;
 }

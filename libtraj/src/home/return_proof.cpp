@@ -14,9 +14,10 @@ namespace {
 
 using geom::Aabb;
 
-constexpr double kLevel = 1;     // m: ground that is as high as home's
-constexpr double kNearer = 1;    // m by which a place that is nearest may seem to be further
-constexpr double kStart = 1e-3;  // m above the ground from which a column is looked at
+constexpr double kLevel = 1;      // m: ground that is as high as home's
+constexpr double kAbovePad = 3;   // m in which it counts as low above its pad,
+constexpr double kBesidePad = 2;  // and so far beside
+constexpr double kStart = 1e-3;   // m above the ground from which a column is looked at
 
 Vec3 sure(const Vec3& by) { return by * (1 + 1e-12) + Vec3::Constant(1e-9); }
 
@@ -36,6 +37,7 @@ struct Obstruction {
   Vec3 place = Vec3::Zero();
   std::optional<std::size_t> box = {};
   std::optional<std::size_t> fence = {};
+  Prism region = {};  // of what meets the box
 
   bool is_same(const Obstruction& other) const {
     return phase == other.phase && reason == other.reason && box == other.box &&
@@ -43,14 +45,29 @@ struct Obstruction {
   }
 };
 
+// The boxes near each sweep of a stage. A part of the stage has sweeps within those of the stage,
+// so no others can be in its way. Nothing for sweeps that were not looked at.
+using NearBoxes = std::vector<std::optional<std::vector<std::size_t>>>;
+
+bool is_alike(const ReturnGap& a, const ReturnGap& b) {
+  return a.phase == b.phase && a.reason == b.reason;
+}
+
+// Whether `next` begins within the time of `gap` or at its end.
+bool touches(const ReturnGap& gap, const ReturnGap& next) {
+  return next.from >= gap.from && next.from <= gap.until;
+}
+
 // One model over one map.
 class Prover {
  public:
   Prover(const geom::CollisionScene& scene, const ReturnModel& model, const ReturnTask& task,
          bool first_gap_only)
       : scene_(scene), model_(model), task_(task), first_gap_only_(first_gap_only) {
+    model_.around += task.room;
+    if (!task.fences.empty() && model.rally_limit > 0) model_.fence_excludes = true;
     const Vec3 margin = scene.half() - scene.vehicle().half;
-    extra_ = sure((model.around + task.room - margin).cwiseMax(0));
+    extra_ = sure((model_.around - margin).cwiseMax(0));
     half_ = scene.half() + extra_;
     free_ = geom::shrink(scene.map().spec().bounds, half_);
     for (const Vec3& rally : task.rally) {
@@ -61,20 +78,42 @@ class Prover {
     for (const ReturnPlace& place : places_) grounds_.push_back(lands_level(place));
   }
 
-  void prove(const FlightStage& stage) {
+  void prove(FlightStage stage, const NearBoxes& of_whole = {}) {
     if (done()) return;
-    const auto found = obstruction(stage);
-    if (!found) return;
+    if (!stage.stands_on) stage.stands_on = pad_below(stage);
+    NearBoxes near;
+    const auto found = obstruction(stage, of_whole, near);
+    if (!found) return add_proved(stage);
     const auto parts = extent(stage) > task_.finest ? halves(stage) : std::nullopt;
-    if (!parts || blocked_all_along(stage)) return add_gap(stage, *found);
-    prove(parts->first);
-    prove(parts->second);
+    if (!parts || blocked_all_along(stage, near)) return add_gap(stage, *found);
+    prove(parts->first, near);
+    prove(parts->second, near);
   }
 
   std::vector<ReturnGap> gaps;
   double longest = 0;  // s
+  bool keeps_proved = false;
+  std::vector<ProvedReturn> proved;  // where these are kept
 
  private:
+  void add_proved(const FlightStage& stage) {
+    if (!keeps_proved) return;
+    for (const ReturnSweep& one : sweeps_from(stage)) proved.push_back({one, stage.part, extra_});
+  }
+
+  std::vector<ReturnSweep> sweeps_from(const FlightStage& stage) const {
+    if (task_.action == ReturnAction::hold) return holding_sweeps(model_, stage);
+    if (task_.action == ReturnAction::land) {
+      return landing_sweeps(model_, stage, task_.home.z(), scene_.map().spec().bounds.min.z());
+    }
+    std::vector<ReturnSweep> out;
+    for (const std::size_t i : nearest_places(braking_region(model_, stage))) {
+      const auto sweeps = return_sweeps(model_, stage, places_[i]);
+      out.insert(out.end(), sweeps.begin(), sweeps.end());
+    }
+    return out;
+  }
+
   bool done() const { return first_gap_only_ && !gaps.empty(); }
 
   // A trajectory has no items.
@@ -84,11 +123,27 @@ class Prover {
   }
 
   void add_gap(const FlightStage& stage, const Obstruction& found) {
-    gaps.push_back({stage.from, stage.until, part_of(stage), model_.autopilot, name(found.phase),
-                    found.reason, found.place, found.box, found.fence});
+    ReturnGap gap{stage.from,   stage.until, part_of(stage), model_.autopilot, name(found.phase),
+                  found.reason, found.place, found.box,      found.fence};
+    if (!gaps.empty() && is_alike(gaps.back(), gap) && touches(gaps.back(), gap)) {
+      gaps.back().until = std::max(gaps.back().until, gap.until);
+      return;
+    }
+    if (found.box) gap.place = place_met(found);
+    gaps.push_back(std::move(gap));
   }
 
   // --- places -------------------------------------------------------------------------------
+
+  // The ground of the pad that the stage is low above: it stands there, or it may.
+  std::optional<double> pad_below(const FlightStage& stage) const {
+    const Aabb box = *geom::bounds(stage.where);
+    for (const Vec3& pad : task_.pads) {
+      const Vec3 low = (box.min - pad).cwiseAbs().cwiseMax((box.max - pad).cwiseAbs());
+      if (low.x() <= kBesidePad && low.y() <= kBesidePad && low.z() <= kAbovePad) return pad.z();
+    }
+    return std::nullopt;
+  }
 
   bool lands_level(const ReturnPlace& place) const {
     const double height = place.above_ground + model_.height;
@@ -100,35 +155,37 @@ class Prover {
     return ground.whole && std::abs(ground.height - place.ground.z()) <= kLevel;
   }
 
-  // Those that may be the nearest from some place of the region.
-  std::vector<std::size_t> nearest_places(const Prism& region) const {
-    double sure = std::numeric_limits<double>::infinity();
-    for (const ReturnPlace& place : places_) {
-      sure = std::min(sure, furthest(region.plan, place.ground.head<2>()));
-    }
-    std::vector<std::size_t> out;
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-      const bool home = i + 1 == places_.size();
-      const double away = distance(region.plan, places_[i].ground.head<2>());
-      if (away <= sure + kNearer || (home && model_.home_always)) out.push_back(i);
-    }
-    return out;
-  }
-
   // --- one stage ----------------------------------------------------------------------------
 
-  // The first thing that some return from the stage meets.
-  std::optional<Obstruction> obstruction(const FlightStage& stage) {
+  // The first thing that some return from the stage meets, fences last: what is left to them is
+  // clear of the map. `of_whole`: the boxes near what the stage is a part of; `near` gets those
+  // near the stage.
+  std::optional<Obstruction> obstruction(const FlightStage& stage, const NearBoxes& of_whole,
+                                         NearBoxes& near) {
+    if (const auto met = met_on_map(stage, of_whole, near)) return met;
+    if (task_.fences.empty()) return std::nullopt;
+    for (const ReturnSweep& one : sweeps_from(stage)) {
+      if (const auto left = fence_left(one, stage.part)) return left;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Obstruction> met_on_map(const FlightStage& stage, const NearBoxes& of_whole,
+                                        NearBoxes& near) {
+    near.assign(kMostSweeps * places_.size(), std::nullopt);
+    const auto met_by = [&](const std::vector<ReturnSweep>& sweeps, std::size_t place) {
+      return first_met(stage, sweeps, {of_whole, near, kMostSweeps * place});
+    };
     if (!model_.known) return Obstruction{ReturnPhase::landing, Reason::return_home, task_.home};
-    if (task_.action == ReturnAction::hold) return first_met(stage, holding_sweeps(model_, stage));
+    if (task_.action == ReturnAction::hold) return met_by(holding_sweeps(model_, stage), 0);
     if (task_.action == ReturnAction::land) {
       const double floor = scene_.map().spec().bounds.min.z();
       const auto sweeps = landing_sweeps(model_, stage, task_.home.z(), floor);
-      if (const auto met = first_met(stage, sweeps)) return met;
+      if (const auto met = met_by(sweeps, 0)) return met;
       return uneven_below(sweeps.front().region);
     }
-    for (const std::size_t i : nearest_places(braking_region(model_, stage))) {
-      if (const auto met = first_met(stage, return_sweeps(model_, stage, places_[i]))) return met;
+    for (const std::size_t i : likely_places(model_, stage, places_)) {
+      if (const auto met = met_by(return_sweeps(model_, stage, places_[i]), i)) return met;
       if (grounds_[i]) continue;
       return Obstruction{ReturnPhase::landing, Reason::landing, places_[i].ground};
     }
@@ -148,14 +205,27 @@ class Prover {
                        Vec3(middle.x(), middle.y(), ground.height)};
   }
 
+  static constexpr std::size_t kMostSweeps = 8;  // of a return to one place
+
+  struct Lists {
+    const NearBoxes& of_whole;
+    NearBoxes& near;
+    std::size_t first;  // in these
+  };
+
   std::optional<Obstruction> first_met(const FlightStage& stage,
-                                       const std::vector<ReturnSweep>& sweeps) {
+                                       const std::vector<ReturnSweep>& sweeps, const Lists& lists) {
     const double lasts = longest_seconds(model_, sweeps);
     longest = std::max(longest, lasts);
-    for (const ReturnSweep& one : sweeps) {
+    for (std::size_t i = 0; i < sweeps.size(); ++i) {
+      const ReturnSweep& one = sweeps[i];
       if (const auto out = out_of_bounds(one)) return out;
-      if (const auto met = box_met(one, stage.from, stage.until + lasts)) return met;
-      if (const auto left = fence_left(one, stage.part)) return left;
+      const std::size_t list = lists.first + i;
+      const bool known = list < lists.of_whole.size() && lists.of_whole[list];
+      lists.near[list] = near_of(one, known ? *lists.of_whole[list] : boxes_around(one));
+      if (const auto met = box_met(one, *lists.near[list], stage.from, stage.until + lasts)) {
+        return met;
+      }
     }
     return std::nullopt;
   }
@@ -172,20 +242,41 @@ class Prover {
     return out;
   }
 
-  std::optional<Obstruction> box_met(const ReturnSweep& one, double from, double until) const {
-    Aabb near = box_of(one.region);
-    near.min -= extra_;
-    near.max += extra_;
-    for (const std::size_t i : scene_.boxes_meeting(near)) {
+  std::vector<std::size_t> boxes_around(const ReturnSweep& one) const {
+    Aabb around = box_of(one.region);
+    around.min -= extra_;
+    around.max += extra_;
+    return scene_.boxes_meeting(around);
+  }
+
+  // Those that the sweep may meet, and a hair more: its parts may be further out by rounding.
+  std::vector<std::size_t> near_of(const ReturnSweep& one,
+                                   const std::vector<std::size_t>& boxes) const {
+    constexpr double kHair = 1e-6;  // m
+    std::vector<std::size_t> out;
+    for (const std::size_t i : boxes) {
       const Aabb obstacle = scene_.map().box(i);
       if (one.stands_on && obstacle.max.z() <= *one.stands_on) continue;
-      const Aabb grown = geom::grow(obstacle, half_);
-      if (!meets(one.region, grown) || !is_there(i, from, until)) continue;
-      const auto place = geom::hull_meets(corners(one.region), grown);
-      return Obstruction{one.phase, Reason::collision, place.value_or(0.5 * (near.min + near.max)),
-                         i};
+      if (meets(one.region, geom::grow(obstacle, half_ + Vec3::Constant(kHair)))) out.push_back(i);
+    }
+    return out;
+  }
+
+  std::optional<Obstruction> box_met(const ReturnSweep& one, const std::vector<std::size_t>& boxes,
+                                     double from, double until) const {
+    for (const std::size_t i : boxes) {
+      if (!meets(one.region, geom::grow(scene_.map().box(i), half_)) || !is_there(i, from, until)) {
+        continue;
+      }
+      return Obstruction{one.phase, Reason::collision, Vec3::Zero(), i, {}, one.region};
     }
     return std::nullopt;
+  }
+
+  Vec3 place_met(const Obstruction& found) const {
+    const Aabb grown = geom::grow(scene_.map().box(*found.box), half_);
+    const auto place = geom::hull_meets(corners(found.region), grown);
+    return place.value_or(0.5 * (grown.min + grown.max));
   }
 
   // Of a box with a time, between two times of the flight.
@@ -208,17 +299,18 @@ class Prover {
 
   // Whether returns from both ends of the stage meet the same. Then those between most often do
   // too, and it is not worth while to divide the stage.
-  bool blocked_all_along(const FlightStage& stage) {
+  bool blocked_all_along(const FlightStage& stage, const NearBoxes& near) {
     const auto ends = ends_of(stage);
     if (!ends) return false;
-    const auto early = obstruction(ends->first);
+    NearBoxes unused;
+    const auto early = obstruction(ends->first, near, unused);
     if (!early) return false;
-    const auto late = obstruction(ends->second);
+    const auto late = obstruction(ends->second, near, unused);
     return late && early->is_same(*late);
   }
 
   const geom::CollisionScene& scene_;
-  const ReturnModel& model_;
+  ReturnModel model_;  // with the room of the task
   const ReturnTask& task_;
   bool first_gap_only_;
   Vec3 extra_;  // beside the half sizes of the scene
@@ -227,10 +319,6 @@ class Prover {
   std::vector<ReturnPlace> places_;  // home last
   std::vector<bool> grounds_;        // of these, whether it may land there
 };
-
-bool is_alike(const ReturnGap& a, const ReturnGap& b) {
-  return a.phase == b.phase && a.reason == b.reason;
-}
 
 // Ascending and apart. Those that touch and are alike become one, which keeps what the first met.
 std::vector<ReturnGap> joined(std::vector<ReturnGap> gaps) {
@@ -279,35 +367,64 @@ ReturnReport prove(const geom::CollisionScene& scene,
 
 }  // namespace
 
+namespace {
+
+// The greatest return height that the bounds allow, m above home; below 0: none.
+double room_above(const geom::CollisionScene& scene, const ReturnTask& task) {
+  if (!scene.free_bounds()) return -1;
+  double above = 0.01;  // m below the top that a vehicle needs, and its rally points
+  for (const ReturnModel& model : task.models) {
+    above = std::max(above, 0.01 + model.around.z() + task.room.z());
+  }
+  double highest = 0;
+  for (const Vec3& rally : task.rally) highest = std::max(highest, rally.z() - task.home.z());
+  return scene.free_bounds()->max.z() - task.home.z() - above - highest;
+}
+
+}  // namespace
+
 ReturnReport prove_return(const geom::CollisionScene& scene,
                           std::span<const std::vector<FlightStage>> stages,
                           const ReturnTask& task) {
   return prove(scene, stages, task, false);
 }
 
-std::optional<double> least_return_height(const geom::CollisionScene& scene,
-                                          std::span<const std::vector<FlightStage>> stages,
-                                          ReturnTask task, double step) {
-  const auto proved_at = [&](double height) {
+std::vector<ProvedReturn> proved_returns(const geom::CollisionScene& scene,
+                                         std::span<const std::vector<FlightStage>> stages,
+                                         const ReturnTask& task) {
+  require_task(stages, task);
+  std::vector<ProvedReturn> out;
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    Prover prover(scene, task.models[i], task, false);
+    prover.keeps_proved = true;
+    for (const FlightStage& stage : stages[i]) prover.prove(stage);
+    out.insert(out.end(), prover.proved.begin(), prover.proved.end());
+  }
+  return out;
+}
+
+std::optional<ReturnHeight> best_return_height(const geom::CollisionScene& scene,
+                                               std::span<const std::vector<FlightStage>> stages,
+                                               ReturnTask task, double step) {
+  if (task.action != ReturnAction::rtl) return std::nullopt;
+  const double room = room_above(scene, task);
+  const auto share_at = [&](double height, double wanted) {
     for (ReturnModel& model : task.models) model.height = height;
-    return prove(scene, stages, task, true).gaps.empty();
+    const ReturnReport proof = prove(scene, stages, task, wanted == 1);
+    return wanted == 1 && !proof.ok() ? 0 : proof.share();
   };
-  if (!scene.free_bounds() || task.action != ReturnAction::rtl) return std::nullopt;
-  double above = 0.01;  // m below the bounds' top that a vehicle needs, and its rally points
-  for (const ReturnModel& model : task.models) {
-    above = std::max(above, 0.01 + model.around.z() + task.room.z());
+  double proved = std::floor(room / step);
+  if (!(proved >= 0)) return std::nullopt;
+  const double wanted = share_at(proved * step, 0);
+  double refused = -1;  // not proved there, or not asked
+  double share = wanted;
+  while (proved - refused > 1) {
+    const double middle = std::floor(0.5 * (refused + proved));
+    const double there = share_at(middle * step, wanted);
+    if (there >= wanted) share = there;
+    (there >= wanted ? proved : refused) = middle;
   }
-  double highest = 0;
-  for (const Vec3& rally : task.rally) highest = std::max(highest, rally.z() - task.home.z());
-  const double room = scene.free_bounds()->max.z() - task.home.z() - above - highest;
-  double high = std::floor(room / step);
-  if (high < 0 || !proved_at(high * step)) return std::nullopt;
-  double low = -1;  // not proved there, or not asked
-  while (high - low > 1) {
-    const double middle = std::floor(0.5 * (low + high));
-    (proved_at(middle * step) ? high : low) = middle;
-  }
-  return high * step;
+  return ReturnHeight{proved * step, share};
 }
 
 }  // namespace traj

@@ -101,6 +101,7 @@ JsonLine object_of(const ReturnReport& returns, const geom::BoxMap& map) {
   line.add("longest", returns.longest);
   line.add("gaps", returns.gaps, [&](const ReturnGap& gap) { return object_of(gap, map); });
   line.add("least_height", returns.least_height);
+  line.add("best_height", returns.best_height).add("best_share", returns.best_share);
   return line;
 }
 

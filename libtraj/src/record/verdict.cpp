@@ -172,17 +172,24 @@ std::string met_in_words(const ReturnGap& gap, const geom::BoxMap& map) {
   }
 }
 
+std::string gap_in_words(const ReturnGap& gap, const geom::BoxMap& map) {
+  return fmt::format("from {:.4g} s to {:.4g} s no way home is proved: {} {}", gap.from, gap.until,
+                     phase_in_words(gap.phase), met_in_words(gap, map));
+}
+
 // Of a refused report, where the flight itself is clear.
 std::string returns_in_words(const ReturnReport& returns, const geom::BoxMap& map) {
-  const ReturnGap& gap = returns.gaps.front();
-  std::string out = fmt::format("from {:.4g} s to {:.4g} s no way home is proved: {} {}", gap.from,
-                                gap.until, phase_in_words(gap.phase), met_in_words(gap, map));
+  std::string out = gap_in_words(returns.gaps.front(), map);
   if (returns.gaps.size() > 1) out += fmt::format(", and {} more", returns.gaps.size() - 1);
   out +=
       fmt::format("; {} holds for {:.4g} % of the flight", returns.action, 100 * returns.share());
   if (returns.action != "rtl") return out;
   if (returns.least_height) {
     return out + fmt::format("; return at {:.4g} m above home", *returns.least_height);
+  }
+  if (returns.best_height && *returns.best_share > returns.share()) {
+    out += fmt::format(", and at {:.4g} m above home for {:.4g} %", *returns.best_height,
+                       100 * *returns.best_share);
   }
   return out + "; no return height makes all of it safe: fly another way, or add rally points";
 }
@@ -296,6 +303,10 @@ std::string flown_in_words(const FlightPathCheck& check, const FlightReport& rep
 }
 
 }  // namespace
+
+std::string in_words(const ReturnGap& gap, const geom::BoxMap& map) {
+  return gap_in_words(gap, map);
+}
 
 std::string fault_in_words(const CheckResult& result, const geom::BoxMap& map, const HeldTo& held) {
   for (const LimitKind& kind : kLimitKinds) {

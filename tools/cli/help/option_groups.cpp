@@ -35,7 +35,8 @@ constexpr Group kGroups[] = {
      "--profile-step=LENGTH --junit --certificate "
      "--tree --corridor-file --python --table --show --unchecked --no-clearance --resample=METRES "
      "export--rate=HERTZ export--axes --wpml-version --aircraft --hover --turns=METRES --lost-link "
-     "--gimbal=DEGREES "
+     "--gimbal=DEGREES --rally --fence-budget=CORNERS --fence-out --rally-out --params-out "
+     "--procedure export--fence export--return "
      "--volumes --buffer=METRES --speed=METRES/S export--tolerance=METRES --title=WORDS --depth "
      "--depth-unit=METRES --ids render--poses --clear-tube --log-rate=HERTZ"},
     {"Vehicle and room",

@@ -29,6 +29,7 @@ struct ReturnTask {
   Vec3 home = Vec3::Zero();         // the ground there
   std::vector<Vec3> rally;          // places in the air
   std::vector<Fence> fences;        // that returns keep to
+  std::vector<Vec3> pads;           // level ground on which the flight begins or ends
   Vec3 room = Vec3::Zero();  // m along each axis beside the vehicle, without its margin: how wrong
                              // it may be about its place
   double finest = 0.5;       // m: shorter stages are not divided
@@ -46,11 +47,30 @@ struct ReturnTask {
 ReturnReport prove_return(const geom::CollisionScene& scene,
                           std::span<const std::vector<FlightStage>> stages, const ReturnTask& task);
 
-// The least return height, m above home (to `step` metres, up to the map's bounds), with which the
-// return is proved from every instant; nothing if there is none. By bisection; the height that is
-// returned was proved.
-std::optional<double> least_return_height(const geom::CollisionScene& scene,
-                                          std::span<const std::vector<FlightStage>> stages,
-                                          ReturnTask task, double step = 0.5);
+// A region of a return that is proved, and the metres along each axis beside it for which it is,
+// the scene's half sizes left out.
+struct ProvedReturn {
+  ReturnSweep sweep;
+  FlightPart part;
+  Vec3 beside = Vec3::Zero();
+};
+
+// The regions of all returns that prove_return() proves, from every stage.
+std::vector<ProvedReturn> proved_returns(const geom::CollisionScene& scene,
+                                         std::span<const std::vector<FlightStage>> stages,
+                                         const ReturnTask& task);
+
+// A return height, m above home, and the share of the time from which returns at it are proved.
+struct ReturnHeight {
+  double height = 0;
+  double share = 0;
+};
+
+// The least return height (to `step` metres) at which returns are proved for as much of the time as
+// at the greatest height that the map's bounds allow; nothing if they allow none. By bisection;
+// what is returned was proved.
+std::optional<ReturnHeight> best_return_height(const geom::CollisionScene& scene,
+                                               std::span<const std::vector<FlightStage>> stages,
+                                               ReturnTask task, double step = 0.5);
 
 }  // namespace traj

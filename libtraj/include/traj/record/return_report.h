@@ -43,6 +43,11 @@ struct ReturnReport {
   std::vector<ReturnGap> gaps = {};         // ascending, apart
   std::optional<double> least_height = {};  // m above home with which there is no gap
 
+  // If there is none: the least height at which returns are proved for as long as at any that the
+  // bounds allow, and that share.
+  std::optional<double> best_height = {};
+  std::optional<double> best_share = {};
+
   bool ok() const { return gaps.empty(); }
   double share() const;  // of the time from which a return is proved, 0 to 1
 };
