@@ -24,7 +24,7 @@ TEST(LandingSite, IsOnTheGroundOrOnTheRoofBelow) {
   const auto scene = small_vehicle(town({kBlock}));
   const LandingSite ground = landing_site(scene, drawn_at(20, 20), "s");
   EXPECT_EQ(ground.ground, Vec3(20, 20, 0));
-  EXPECT_EQ(ground.above, Vec3(20, 20, kApproachHeight));
+  EXPECT_EQ(ground.above, Vec3(20, 20, kApproachHeight + scene.half().z()));
   const LandingSite roof = landing_site(scene, drawn_at(50, 50), "s");
   EXPECT_EQ(roof.ground, Vec3(50, 50, 20));
   EXPECT_EQ(landing_site(scene, drawn_at(50, 50, 20.3), "s").ground.z(), 20) << "the map's height";
