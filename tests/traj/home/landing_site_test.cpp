@@ -57,6 +57,7 @@ TEST(LandingSite, IsThePlaceOfAPolygonFurthestFromItsEdgesThatIsFree) {
   DrawnSite yard = drawn_at(0, 0);
   yard.outline.outer = {{10, 10}, {43, 10}, {43, 43}, {10, 43}, {10, 10}};
   EXPECT_EQ(landing_site(empty, yard, "s").ground, Vec3(26.5, 26.5, 0));
+  yard.ground = 0;
   const auto tree = small_vehicle(town({{{25, 25, 0}, {28, 28, 9}}}));
   const LandingSite beside = landing_site(tree, yard, "s");
   EXPECT_EQ(beside.ground.z(), 0);
