@@ -67,9 +67,6 @@ std::vector<Flight> read_flights(const std::string& table) {
 }
 
 Replay replay(const Flight& flight) {
-  traj::Mission mission = read_mission(flight.mission);
-  const traj::MissionFrame frame{
-      {mission.home->latitude, mission.home->longitude, mission.home->height}, 0};
   traj::MissionRules rules;
   rules.autopilots = traj::autopilots_of(flight.autopilot).value();
   for (traj::Autopilot& one : rules.autopilots) {
@@ -77,6 +74,13 @@ Replay replay(const Flight& flight) {
   }
   rules.acceptance = flight.acceptance;
   rules.return_height = flight.return_height;
+  return replay(flight, rules);
+}
+
+Replay replay(const Flight& flight, const traj::MissionRules& rules) {
+  traj::Mission mission = read_mission(flight.mission);
+  const traj::MissionFrame frame{
+      {mission.home->latitude, mission.home->longitude, mission.home->height}, 0};
   Replay out{traj::flown_mission(mission, frame, rules, flight.mission), {}};
   const geom::GeographicFrame earth(frame.origin);
   std::ifstream in(flight.track);

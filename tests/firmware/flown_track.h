@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "traj/mission/mavlink/mission_flight.h"
 #include "traj/mission/judge/judge.h"
+#include "traj/mission/mavlink/mission_flight.h"
 
 namespace firmware {
 
@@ -41,12 +41,14 @@ struct Replay {
   std::vector<Sample> samples;
 };
 Replay replay(const Flight& flight);
+// By these rules, whatever the flight's autopilot and settings.
+Replay replay(const Flight& flight, const traj::MissionRules& rules);
 
 // Metres that a place is outside of the claim, along the worst axis; 0 inside, at most `most`.
 double outside(const Flight& flight, const Replay& replay, const Vec3& place, double most = 30);
 
-// Of each waypoint that is passed without a rest: how far from the way the claim reaches near it, and
-// how far the track was.
+// Of each waypoint that is passed without a rest: how far from the way the claim reaches near it,
+// and how far the track was.
 struct CornerWidth {
   std::size_t item = 0;
   double claim = 0;  // m

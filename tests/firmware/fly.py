@@ -289,6 +289,8 @@ class Px4(Firmware):
     QUAD2KG = {"SIH_MASS": 2.0, "SIH_IXX": 0.0216667, "SIH_IYY": 0.0216667, "SIH_IZZ": 0.04, "SIH_T_MAX": 8.54858,
                "SIH_Q_MAX": 0.136777, "SIH_L_ROLL": 0.174, "SIH_L_PITCH": 0.174, "SIH_KDV": 0.244, "SIH_KDW": 0.025,
                "SIH_T_TAU": 0.0125, "MPC_THR_HOVER": 0.5736}
+    # what --return-at orders: the mode as the firmware's log has it (nav_state), main mode and its part
+    RETURNS = {"rtl": (5, (4, 5)), "land": (18, (4, 6)), "hold": (4, (4, 3))}
     # messages that PX4 streams by itself and nobody here reads: targets, attitudes, outputs, altitude, and so on
     UNREAD = (85, 30, 31, 83, 36, 106, 65, 141, 74, 230, 241)
 
@@ -453,6 +455,8 @@ class ArduCopter(Firmware):
     """ArduCopter in SITL, its own model of a quadrotor."""
 
     kind = socket.SOCK_STREAM
+    # what --return-at orders: the mode as the firmware's log has it, and its number
+    RETURNS = {"rtl": (6, (6,)), "land": (9, (9,)), "hold": (17, (17,)), "loiter": (5, (5,))}
     # for a program away from its source tree, where copter.parm is: a quadrotor "+", its calibration, its motors
     DEFAULTS = {"FRAME_CLASS": 1, "FRAME_TYPE": 0, "BATT_MONITOR": 4, "MOT_THST_EXPO": 0.65, "MOT_THST_HOVER": 0.39,
                 "MOT_BAT_VOLT_MIN": 9.6, "MOT_BAT_VOLT_MAX": 12.8, "ATC_RAT_YAW_P": 0.3, "ATC_RAT_YAW_I": 0.02,
@@ -564,10 +568,23 @@ def _rests_below(firmware):
     return abs(m.relative_alt) < 2000 and abs(m.vz) < 15 and abs(m.vx) < 30 and abs(m.vy) < 30
 
 
+HOLDS = 25  # seconds after the order that a flight is watched which is to stay in the air
+
+
+def order_return(firmware, action):
+    """Changes the mode as an operator would, who presses return."""
+    if action not in firmware.RETURNS:
+        raise FlightError(f"This firmware has no mode for {action}.")
+    firmware.set_mode(*firmware.RETURNS[action][1])
+
+
 def watch(firmware, options, mission):
     """Waits until the flight is over; returns how it ended, and when by the simulation's clock."""
     start, last_seen = firmware.clock, time.monotonic()
-    lands = options.setpoints or any(i.command in (CMD_LAND, CMD_RETURN) for i in mission.items)
+    order, action = options.return_at or (math.inf, None)
+    stays = action in ("hold", "loiter")
+    lands = (options.setpoints or any(i.command in (CMD_LAND, CMD_RETURN) for i in mission.items) or action) and not stays
+    ordered = None
     clock, high = firmware.clock, False
     since = {"hovers": None, "armed on the ground": None}
 
@@ -585,11 +602,29 @@ def watch(firmware, options, mission):
             return "landed" if firmware.landed_state == 1 else "disarmed", clock
         if clock - start > options.timeout:
             return "cut", clock
+        if ordered is None and clock - start >= order:
+            order_return(firmware, action)
+            ordered = clock
+        if ordered is not None and stays and clock - ordered > HOLDS:
+            return "holds", clock
         high = high or firmware.position.relative_alt > 2500
         if lasts("hovers", firmware.mission_state == 5 and not lands, 10):
             return "hovers", clock
         if lasts("armed on the ground", high and lands and _rests_below(firmware), 40):
             return "grounded", since["armed on the ground"]
+
+
+def returned_at(truth, firmware, options, end):
+    """When after arming, and where, the firmware's log has the mode that was ordered; for the last line."""
+    if not options.return_at:
+        return ""
+    action = options.return_at[1]
+    mode = firmware.RETURNS[action][0]
+    moments = [moment for moment, number in truth.modes if number == mode and truth.armed < moment < end]
+    if not moments:
+        raise FlightError(f"The log does not say that the mode {action} began.")
+    place = min(truth.samples, key=lambda sample: abs(sample[0] - moments[0]))
+    return f"{action} at {moments[0] - truth.armed:.3f} s from {place[1]:.7f} {place[2]:.7f} {place[3]:.2f} m, "
 
 
 def fly(options):
@@ -633,6 +668,7 @@ def fly(options):
         error = truth.estimate_error(truth.armed, end)
         if error and (options.noise or 0) <= 0.2 and max(error) > firmware.estimate_limit:
             raise Starved(f"The estimate was off by {max(error):.2f} m (rms), too much for so little noise.")
+        returned = returned_at(truth, firmware, options, end)
         track = logs.at_ten_hertz(truth.samples, truth.armed, end)
         if not track:
             raise FlightError("The log holds no ground truth.")
@@ -645,7 +681,7 @@ def fly(options):
         os.replace(part, options.output)
         notes = [text for clock, severity, text in firmware.texts if severity <= 4 and begin <= clock <= stopped_at]
         print(f"{options.mission}: {ended} after {track[-1][0]:.1f} s, {len(track)} samples, {rate:.1f} times real time, "
-              + (f"estimate off by {error[0]:.2f} m across, {error[1]:.2f} m up (rms), " if error else "")
+              + returned + (f"estimate off by {error[0]:.2f} m across, {error[1]:.2f} m up (rms), " if error else "")
               + f"{options.firmware} {firmware.version}" + (f"; said: {'; '.join(notes[-4:])}" if notes else ""))
     except FlightError:
         kept = options.keep
@@ -675,6 +711,13 @@ def _assignment(text):
     return name, float(value)
 
 
+def _order(text):
+    seconds, _, action = text.partition(",")
+    if action not in ("", "rtl", "land", "hold", "loiter"):
+        raise argparse.ArgumentTypeError(f"{text}: expected SECONDS, or SECONDS and rtl, land, hold or loiter")
+    return float(seconds), action or "rtl"
+
+
 def parser():
     p = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     p.add_argument("mission", metavar="MISSION", help=".waypoints, .plan, or setpoints (.csv, PX4 only)")
@@ -688,6 +731,8 @@ def parser():
     p.add_argument("--speedup", type=float, default=10, metavar="N", help="at most N simulated seconds a second (10)")
     p.add_argument("--home", type=_numbers(3), metavar="LAT,LON,ALT", help="instead of the mission's")
     p.add_argument("--timeout", type=float, default=1200, metavar="SECONDS", help="of simulated time, from arming (1200)")
+    p.add_argument("--return-at", type=_order, metavar="SECONDS[,ACTION]",
+                   help="after arming, ends the mission by a change of mode: rtl, land, hold (ArduCopter also: loiter)")
     p.add_argument("--params-out", metavar="FILE", help="all parameters, as flown")
     p.add_argument("--log-out", metavar="FILE", help="the firmware's own log")
     p.add_argument("--keep", action="store_true", help="keep the firmware's folder when a flight fails")

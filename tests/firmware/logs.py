@@ -20,6 +20,7 @@ class Truth:
     lost_ms: int = 0  # what the logger lost
     sensors: list = dataclasses.field(default_factory=list)  # for each sensor, the moments at which it spoke
     estimate: list = dataclasses.field(default_factory=list)  # as samples, but what the firmware believed
+    modes: list = dataclasses.field(default_factory=list)  # (seconds, number of the mode that began or goes on)
 
     def longest_silence(self, start, end):
         """The longest pause of any sensor between two moments, in seconds."""
@@ -99,7 +100,8 @@ _SENSORS = ("vehicle_air_data", "vehicle_gps_position")  # both are logged sever
 def px4(path):
     place = {"timestamp", "alt", "lat", "lon"}
     rows, lost = _ulog(path, {"vehicle_global_position_groundtruth": place, "vehicle_global_position": place,
-                              "actuator_armed": {"armed", "timestamp"}, **{topic: {"timestamp"} for topic in _SENSORS}})
+                              "actuator_armed": {"armed", "timestamp"},
+                              "vehicle_status": {"nav_state", "timestamp"}, **{topic: {"timestamp"} for topic in _SENSORS}})
     samples, estimate = ([(stamp * 1e-6, lat, lon, alt) for alt, lat, lon, stamp in rows[topic]]
                          for topic in ("vehicle_global_position_groundtruth", "vehicle_global_position"))
     armed = disarmed = None
@@ -108,7 +110,8 @@ def px4(path):
             armed = stamp * 1e-6
         elif not is_armed and armed is not None and disarmed is None:
             disarmed = stamp * 1e-6
-    return Truth(samples, armed, disarmed, lost, [[row[0] * 1e-6 for row in rows[topic]] for topic in _SENSORS], estimate)
+    return Truth(samples, armed, disarmed, lost, [[row[0] * 1e-6 for row in rows[topic]] for topic in _SENSORS], estimate,
+                 [(stamp * 1e-6, mode) for mode, stamp in rows["vehicle_status"]])
 
 
 _FLASH_TYPES = {"a": "64s", "b": "b", "B": "B", "h": "h", "H": "H", "i": "i", "I": "I", "f": "f", "d": "d", "n": "4s",
@@ -123,7 +126,7 @@ def arducopter(path, home):
     data = pathlib.Path(path).read_bytes()
     home = (round(home[0], 7), round(home[1], 7), home[2])  # the firmware's own digits
     formats = {128: (89, "FMT", None, None)}
-    samples, armed, disarmed = [], None, None
+    samples, modes, armed, disarmed = [], [], None, None
     at = 0
     while at + 3 <= len(data):
         if data[at] != 0xA3 or data[at + 1] != 0x95:
@@ -144,13 +147,15 @@ def arducopter(path, home):
             formats[number] = (size, label.rstrip(b"\0").decode(),
                                struct.Struct("<" + "".join(_FLASH_TYPES[k] for k in kinds)) if known else None,
                                names.rstrip(b"\0").decode().split(","))
-        elif name in ("SIM2", "EV"):
+        elif name in ("SIM2", "EV", "MODE"):
             row = dict(zip(columns, layout.unpack_from(data, at + 3)))
             seconds = row["TimeUS"] * 1e-6
             if name == "SIM2":
                 latitude = home[0] + row["PN"] / _METRES * 1e-7
                 scale = max(math.cos(math.radians(0.5 * (home[0] + latitude))), 0.01)
                 samples.append((seconds, latitude, home[1] + row["PE"] / _METRES / scale * 1e-7, -row["PD"]))
+            elif name == "MODE":
+                modes.append((seconds, row["ModeNum"]))
             elif row["Id"] == _ARMED and armed is None:
                 armed = seconds
             elif row["Id"] == _DISARMED and armed is not None and disarmed is None:
@@ -159,7 +164,7 @@ def arducopter(path, home):
     if samples:  # the vehicle's centre stands above the ground; the take-off place has home's altitude
         lift = home[2] - samples[0][3]
         samples = [(*s[:3], s[3] + lift) for s in samples]
-    return Truth(samples, armed, disarmed)
+    return Truth(samples, armed, disarmed, modes=modes)
 
 
 def at_ten_hertz(samples, start, end):

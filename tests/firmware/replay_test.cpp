@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "flown_return.h"
 #include "flown_track.h"
 #include "traj/scenes.h"
 
@@ -85,6 +86,56 @@ std::string name_of(const ::testing::TestParamInfo<Flight>& info) {
   for (char& c : out) c = std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
   return out + "_" + std::to_string(info.index);
 }
+
+// --- returns --------------------------------------------------------------------------------
+
+class ReturnFlown : public ::testing::TestWithParam<FlownReturn> {};
+
+TEST_P(ReturnFlown, StaysInsideTheClaim) {
+  const ReturnClaim claim = claim_of(GetParam());
+  const auto ways = ways_of(GetParam(), claim, stages_there(claim));
+  const std::vector<Sample> samples = samples_after(GetParam(), claim);
+  ASSERT_GT(samples.size(), 50u);
+  for (const Sample& sample : samples) {
+    EXPECT_EQ(exit_of(claim, ways, sample.place).outside, 0)
+        << "at " << sample.time << " s, " << sample.place.transpose();
+  }
+}
+
+// Over flat ground, for a vehicle so small that only its track counts.
+std::vector<traj::ReturnGap> gaps_with(const Vec3& cube, const ReturnClaim& claim) {
+  const Vec3 half = Vec3::Constant(0.01);
+  const geom::BoxMap map =
+      traj::testing::scene_of({{cube - half, cube + half}}, {{-9000, -9000, 0}, {9000, 9000, 2000}})
+          .map();
+  const geom::CollisionScene scene(map, {"point", Vec3::Constant(1e-3)}, 0);
+  const std::vector<traj::FlightStage> stages = stages_there(claim);
+  return traj::prove_return(scene, {&stages, 1}, claim.task).gaps;
+}
+
+TEST_P(ReturnFlown, ACubeOnItsTrackIsAGap) {
+  const ReturnClaim claim = claim_of(GetParam());
+  ASSERT_TRUE(gaps_with({-3000, -3000, 100}, claim).empty());
+  const std::vector<Sample> samples = samples_after(GetParam(), claim);
+  const std::size_t step = std::max<std::size_t>(1, samples.size() / 40);
+  for (std::size_t i = 0; i < samples.size(); i += step) {
+    const Vec3& place = samples[i].place;
+    if (place.z() < 0.5) continue;
+    EXPECT_FALSE(gaps_with(place, claim).empty())
+        << "at " << samples[i].time << " s, " << place.transpose();
+  }
+}
+
+std::string name_of_return(const ::testing::TestParamInfo<FlownReturn>& info) {
+  std::string out = info.param.flight.name;
+  for (char& c : out) c = std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+  return out;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Tracks, ReturnFlown,
+    ::testing::ValuesIn(read_returns(SKYWAY_SOURCE_DIR "/tests/firmware/tracks/returns.csv")),
+    name_of_return);
 
 INSTANTIATE_TEST_SUITE_P(Tracks, Flown, ::testing::ValuesIn(flights()), name_of);
 

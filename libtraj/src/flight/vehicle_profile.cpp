@@ -9,6 +9,7 @@
 
 #include "built_in_vehicles.h"
 #include "flight/airframe_record.h"
+#include "flight/energy_record.h"
 #include "geom/text/json_fields.h"
 #include "geom/text/parse_json.h"
 #include "traj/proof/limits.h"
@@ -38,6 +39,7 @@ constexpr std::array kKeys = {"name",
                               "range_m",
                               "endurance_s",
                               "navigation_m",
+                              "energy",
                               "gains",
                               "sources"};
 
@@ -109,6 +111,7 @@ VehicleProfile parse_vehicle_profile(std::string_view json, std::string_view sou
   profile.airframe = parse_airframe(fields);
   profile.body = body;
   profile.navigation = stated_navigation(fields);
+  profile.energy = parse_energy(fields, profile.airframe);
   geom::Vehicle& vehicle = profile.vehicle;
   vehicle.name = fields.text("name", source);
   vehicle.limits = geom::stricter(stated_limits(fields), physical_limits(profile.airframe));

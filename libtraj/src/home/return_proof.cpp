@@ -17,7 +17,6 @@ using geom::Aabb;
 constexpr double kLevel = 1;      // m: ground that is as high as home's
 constexpr double kAbovePad = 3;   // m in which it counts as low above its pad,
 constexpr double kBesidePad = 2;  // and so far beside
-constexpr double kNearer = 1;     // m by which a place that is nearest may seem to be further
 constexpr double kStart = 1e-3;   // m above the ground from which a column is looked at
 
 Vec3 sure(const Vec3& by) { return by * (1 + 1e-12) + Vec3::Constant(1e-9); }
@@ -65,8 +64,10 @@ class Prover {
   Prover(const geom::CollisionScene& scene, const ReturnModel& model, const ReturnTask& task,
          bool first_gap_only)
       : scene_(scene), model_(model), task_(task), first_gap_only_(first_gap_only) {
+    model_.around += task.room;
+    if (!task.fences.empty() && model.rally_limit > 0) model_.fence_excludes = true;
     const Vec3 margin = scene.half() - scene.vehicle().half;
-    extra_ = sure((model.around + task.room - margin).cwiseMax(0));
+    extra_ = sure((model_.around - margin).cwiseMax(0));
     half_ = scene.half() + extra_;
     free_ = geom::shrink(scene.map().spec().bounds, half_);
     for (const Vec3& rally : task.rally) {
@@ -154,21 +155,6 @@ class Prover {
     return ground.whole && std::abs(ground.height - place.ground.z()) <= kLevel;
   }
 
-  // Those that may be the nearest from some place of the region.
-  std::vector<std::size_t> nearest_places(const Prism& region) const {
-    double sure = std::numeric_limits<double>::infinity();
-    for (const ReturnPlace& place : places_) {
-      sure = std::min(sure, furthest(region.plan, place.ground.head<2>()));
-    }
-    std::vector<std::size_t> out;
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-      const bool home = i + 1 == places_.size();
-      const double away = distance(region.plan, places_[i].ground.head<2>());
-      if (away <= sure + kNearer || (home && model_.home_always)) out.push_back(i);
-    }
-    return out;
-  }
-
   // --- one stage ----------------------------------------------------------------------------
 
   // The first thing that some return from the stage meets, fences last: what is left to them is
@@ -198,7 +184,7 @@ class Prover {
       if (const auto met = met_by(sweeps, 0)) return met;
       return uneven_below(sweeps.front().region);
     }
-    for (const std::size_t i : nearest_places(braking_region(model_, stage))) {
+    for (const std::size_t i : likely_places(model_, stage, places_)) {
       if (const auto met = met_by(return_sweeps(model_, stage, places_[i]), i)) return met;
       if (grounds_[i]) continue;
       return Obstruction{ReturnPhase::landing, Reason::landing, places_[i].ground};
@@ -324,7 +310,7 @@ class Prover {
   }
 
   const geom::CollisionScene& scene_;
-  const ReturnModel& model_;
+  ReturnModel model_;  // with the room of the task
   const ReturnTask& task_;
   bool first_gap_only_;
   Vec3 extra_;  // beside the half sizes of the scene

@@ -2,15 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+
+#include "traj/home/return_heights.h"
 
 namespace traj {
 namespace {
 
 using Plan = std::vector<Vec2>;
 
+constexpr double kNone = std::numeric_limits<double>::infinity();
 constexpr double kVerticalBraking = 2.5;  // m/s2, less than autopilots brake with
-constexpr double kSteepestSure = 2;       // of a cone: PX4 keeps to it near the place
 constexpr double kRoomAtRest = 0.3;       // m beside a rest by which it may be off
 constexpr double kSlowestLanding = 0.3;   // m/s, of both firmwares near the ground
 
@@ -37,16 +40,27 @@ double vertical_way(const ReturnModel& model, double rate) {
          rate * kVerticalBraking / (2 * model.jerk);
 }
 
-// The most that it is fast across, m/s, in a region of this plan: what it reaches since its rest,
-// and from what it can slow down to its next.
+// The most that it is fast across, m/s, from such a place on: what it has reached since its rest,
+// and what it still gains while its acceleration fades; and from what it can slow down to its next.
 double speed_at(const ReturnModel& model, const Velocity& velocity, const Plan& plan) {
   double speed = velocity.value.head<2>().norm();
-  for (const std::optional<Vec3>& rest : {velocity.since, velocity.until}) {
-    if (!rest) continue;
-    const double away = furthest(plan, rest->head<2>()) + kRoomAtRest;
-    speed = std::min(speed, std::sqrt(2 * model.deceleration * away));
-  }
+  const auto reached = [&](const Vec3& rest) {
+    const double away = furthest(plan, rest.head<2>()) + kRoomAtRest;
+    return std::sqrt(2 * model.deceleration * away);
+  };
+  const double gains = model.deceleration * model.fading / 2;
+  if (velocity.since) speed = std::min(speed, reached(*velocity.since) + gains);
+  if (velocity.until) speed = std::min(speed, reached(*velocity.until));
   return speed;
+}
+
+// Seconds that it goes on before it slows down: if it may be speeding up, until its acceleration
+// has faded. It speeds up no further from a rest than an S-curve is long.
+double lateness(const ReturnModel& model, const Velocity& velocity, const Plan& plan,
+                double speed) {
+  if (!velocity.since) return model.fading;
+  const double ramp = speed * (speed / model.deceleration + model.fading) / 2 + kRoomAtRest;
+  return distance(plan, velocity.since->head<2>()) > ramp ? 0 : model.fading;
 }
 
 // The most that it goes on, m, until it rests: it slows down to rest where it is to rest anyway.
@@ -54,11 +68,41 @@ double way_to_rest(const ReturnModel& model, const Velocity& velocity, const Pla
                    double speed) {
   if (!velocity.until) return std::numeric_limits<double>::infinity();
   const double left = furthest(plan, velocity.until->head<2>());
-  return left + speed * (model.reaction + model.overshoot_time);
+  return left + speed * (model.reaction + model.overshoot_time) + model.stop_length;
 }
 
 double overshot(const ReturnModel& model) {
   return model.overshoot_time * model.speed + model.overshoot;
+}
+
+// The part of a plan on the left of the line from a to b.
+Plan left_of(const Plan& plan, const Vec2& a, const Vec2& b) {
+  const auto side = [&](const Vec2& p) {
+    const Vec2 way = b - a;
+    return way.x() * (p.y() - a.y()) - way.y() * (p.x() - a.x());
+  };
+  Plan out;
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    const Vec2& p = plan[i];
+    const Vec2& q = plan[(i + 1) % plan.size()];
+    const double here = side(p);
+    const double there = side(q);
+    if (here >= 0) out.push_back(p);
+    if ((here < 0) != (there < 0)) out.push_back(p + (q - p) * (here / (here - there)));
+  }
+  return plan_hull(std::move(out));
+}
+
+// No point of the plan within `radius` of the middle is left out: an octagon around the circle.
+Plan within(Plan plan, const Vec2& middle, double radius) {
+  const double far = radius * (1 + 1e-9);
+  const double near = far * (std::sqrt(2.0) - 1);
+  const Vec2 corners[] = {{far, -near}, {far, near},   {near, far},   {-near, far},
+                          {-far, near}, {-far, -near}, {-near, -far}, {near, -far}};
+  for (std::size_t i = 0; i < std::size(corners) && !plan.empty(); ++i) {
+    plan = left_of(plan, middle + corners[i], middle + corners[(i + 1) % std::size(corners)]);
+  }
+  return plan;
 }
 
 // The return of one stage to one place.
@@ -69,57 +113,74 @@ class Return {
         stage_(stage),
         place_(place),
         target_(place.ground.head<2>()),
-        braking_(braking_region(model, stage)) {
-    const double height = model.rally_adds || place.above_ground == 0
-                              ? place.ground.z() + place.above_ground + model.height
-                              : place.ground.z() + std::max(model.height, place.above_ground);
-    top_low_ = std::max(height, braking_.low + model.least_climb);
-    top_high_ = std::max(height, braking_.high + model.least_climb);
-    low_ = lowest(height);
+        braking_(braking_region(model, stage)),
+        end_(widened({target_}, overshot(model))),
+        way_(hull_of_both(braking_.plan, end_)) {
+    set_heights();
   }
 
   std::vector<ReturnSweep> sweeps() const {
+    const double ground = place_.ground.z();
     std::vector<ReturnSweep> out{{braking_, ReturnPhase::braking, stage_.stands_on}};
-    out.push_back({{braking_.plan, braking_.low, top_high_}, ReturnPhase::climb, stage_.stands_on});
-    const Plan end = widened({target_}, overshot(model_));
-    out.push_back(
-        {{hull_of_both(braking_.plan, end), low_, top_high_}, ReturnPhase::way, stage_.stands_on});
-    out.push_back({sinking(), ReturnPhase::descent, place_.ground.z()});
-    out.push_back({{end, std::min(place_.ground.z(), low_), top_high_},
-                   ReturnPhase::descent,
-                   place_.ground.z()});
+    out.push_back({{braking_.plan, braking_.low, top_}, ReturnPhase::climb, stage_.stands_on});
+    out.push_back({{way_, low_, top_}, ReturnPhase::way, stage_.stands_on});
+    out.push_back({sinking(), ReturnPhase::descent, ground});
+    out.push_back({{end_, std::min(ground, low_), top_}, ReturnPhase::descent, ground});
     return out;
   }
 
  private:
-  // The lowest that it may go across: at the return's height, or in the cone at what that is there;
-  // and as far below as it counts as there.
-  double lowest(double height) const {
-    const double away = distance(braking_.plan, target_);
-    double low = top_low_;
-    if (model_.low_within > 0 && away < model_.low_within) low = braking_.low;
-    if (model_.slope > 0) {
-      const double cone = place_.ground.z() + std::min(model_.slope, kSteepestSure) * away;
-      low = std::min(low, std::max(braking_.low, std::min(height, cone)));
-    }
-    return std::max(low - model_.under, braking_.low);
+  // The firmware measures its height and its distance when it is told to return, or at the place
+  // where it will rest; it may be off the stage by `around`.
+  void set_heights() {
+    const double ground = place_.ground.z();
+    base_ = model_.rally_adds ? ground + place_.above_ground : ground;
+    const double full =
+        model_.rally_adds ? model_.height : std::max(model_.height, place_.above_ground);
+    const double off = model_.around.head<2>().norm();
+    nearest_ = std::max(0.0, distance(braking_.plan, target_) - off);
+    const double furthest = traj::furthest(braking_.plan, target_) + off;
+    const double whole = model_.rally_adds ? full : std::max(model_.height, std::floor(full));
+    HeightRange climbs = return_heights(model_, full, nearest_, furthest);
+    climbs.least =
+        return_heights(model_, whole, nearest_, furthest).least;  // it keeps metres alone
+    const double ceiling = model_.ceiling ? ground + *model_.ceiling : kNone;
+    const double own = braking_.low + std::max(0.0, model_.least_climb - model_.under);
+    low_ = std::max(own, base_ + climbs.least - model_.under);
+    low_ = std::max(braking_.low, std::min(low_, ceiling - model_.under));
+    top_ = std::max(base_ + climbs.most, braking_.high + model_.least_climb);
+    top_ = std::max(braking_.high, std::min(top_, ceiling));
+    if (sinks_to_descend()) low_ = std::min(low_, base_ + model_.cone.descend);
   }
 
+  bool sinks_to_descend() const { return model_.cone.px4_1_11 && nearest_ <= model_.cone.near; }
+
   // Sinking begins within the radius of the place, from any side from which it may come, and goes
-  // on while it comes nearer.
+  // on while it comes nearer. If it is there when it is told to return, it sinks while it slows
+  // down, and on its way back.
   Prism sinking() const {
-    const double side = overshot(model_);
-    Plan plan = widened({target_}, side);
-    for (const Vec2& from : braking_.plan) {
-      const Vec2 way = from - target_;
-      const double length = way.norm();
-      const double share = length > model_.acceptance ? model_.acceptance / length : 1;
-      const Plan begin = widened({target_ + share * way}, side);
-      plan.insert(plan.end(), begin.begin(), begin.end());
+    Plan plan = within(way_, target_, model_.acceptance + overshot(model_));
+    plan.insert(plan.end(), end_.begin(), end_.end());
+    double fall = model_.fall;
+    if (nearest_ <= model_.acceptance) {
+      plan.insert(plan.end(), braking_.plan.begin(), braking_.plan.end());
+      fall += model_.descent * seconds_back();
     }
     const double ground = place_.ground.z();
-    return {plan_hull(std::move(plan)), std::min(low_, std::max(ground, low_ - model_.fall)),
-            top_high_};
+    const double begin = model_.aslant ? std::min(low_, base_ + model_.cone.descend) : low_;
+    return {plan_hull(std::move(plan)), std::min(low_, std::max(ground, begin - fall)), top_};
+  }
+
+  // From the order until it is back above its place: to rest, and the way with the usual speed.
+  double seconds_back() const {
+    double fastest = 0;
+    for (const Velocity& v : stage_.velocity) {
+      fastest = std::max(fastest, v.value.head<2>().norm());
+    }
+    const double rest =
+        model_.reaction + fastest / model_.deceleration + model_.deceleration / model_.jerk;
+    const double faster = model_.speed / model_.deceleration + model_.deceleration / model_.jerk;
+    return rest + faster + furthest(braking_.plan, target_) / model_.speed;
   }
 
   const ReturnModel& model_;
@@ -127,9 +188,12 @@ class Return {
   const ReturnPlace& place_;
   Vec2 target_;
   Prism braking_;
-  double top_low_ = 0;   // the least height to which it climbs
-  double top_high_ = 0;  // and the greatest
-  double low_ = 0;       // the least at which it goes across
+  Plan end_;  // above its place
+  Plan way_;
+  double base_ = 0;     // the height above which the firmware counts
+  double nearest_ = 0;  // m from its place
+  double low_ = 0;      // the least at which it goes across
+  double top_ = 0;      // the greatest to which it climbs
 };
 
 }  // namespace
@@ -152,7 +216,8 @@ Prism braking_region(const ReturnModel& model, const FlightStage& stage) {
     const double speed = speed_at(model, v, begin);
     if (speed == 0) continue;
     const Vec2 along = v.value.head<2>().normalized();
-    const double way = std::min(speed * factor, way_to_rest(model, v, begin, speed));
+    const double whole = speed * (factor + lateness(model, v, begin, speed)) + model.stop_length;
+    const double way = std::min(whole, way_to_rest(model, v, begin, speed));
     for (const Vec2& p : begin) {
       out.plan.push_back(p + along * way);
       out.plan.push_back(p - along * (speed * model.overshoot_time));
@@ -177,7 +242,10 @@ std::vector<ReturnSweep> holding_sweeps(const ReturnModel& model, const FlightSt
 
 std::vector<ReturnSweep> landing_sweeps(const ReturnModel& model, const FlightStage& stage,
                                         double ground, double floor) {
-  std::vector<ReturnSweep> out = holding_sweeps(model, stage);
+  ReturnModel lands = model;
+  lands.reaction += model.landing_later;
+  lands.fading += model.landing_later;
+  std::vector<ReturnSweep> out = holding_sweeps(lands, stage);
   const Prism& braking = out.front().region;
   out.push_back(
       {{braking.plan, std::min(floor, braking.low), braking.high}, ReturnPhase::descent, ground});

@@ -404,6 +404,11 @@ std::string_view verdict_word(const ReportRecord& report) {
 }
 
 std::string in_words(const ReportRecord& report, const geom::BoxMap& map) {
+  if (report.checked == kCheckedContingency) {
+    return accepted(report)
+               ? fmt::format("ways home from every instant of {:.4g} s", report.result.duration)
+               : report.detail;
+  }
   if (accepted(report)) return accepted_in_words(report);
   if (!report.result.ok) return refused_in_words(report, map);
   if (!report.exact || report.exact->ok) return returns_in_words(*report.returns, map);

@@ -19,7 +19,7 @@ struct Group {
 constexpr Group kGroups[] = {
     {"Input",
      "--queries --reference --set --length=METRES --from --to --format --file-format --paths-csv "
-     "--paths --lattice --roadmap --old-map --patch --map --plan check--tube --moving "
+     "--paths --home --home-local --contingencies --lattice --roadmap --old-map --patch --map --plan check--tube --moving "
      "--alternatives --others --planner-cmd=COMMAND --frames view--poses --epoch=INSTANT "
      "--departure=SECONDS --id=NAME --terrain --where=SQL --height-attribute=NAME "
      "--types=TYPE,... --label-by --model-path=FOLDER --without=NAME --fence --keep-out "

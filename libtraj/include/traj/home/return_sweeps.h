@@ -19,6 +19,7 @@
 #include "traj/home/flight_stage.h"
 #include "traj/home/prism.h"
 #include "traj/home/return_model.h"
+#include "traj/home/return_places.h"
 
 namespace traj {
 
@@ -43,19 +44,13 @@ struct ReturnSweep {
 // As a region of a flight.
 Sweep sweep_of(const ReturnSweep& one, const FlightPart& part);
 
-// Where a return ends: the ground there, and for a rally point the height that it has in the air.
-struct ReturnPlace {
-  Vec3 ground = Vec3::Zero();  // m
-  double above_ground = 0;     // m
-};
-
 // Where it may be from the instant when it leaves the stage until it rests: in plan the way to rest
 // of each velocity from each place, and as much behind as a stop is overshot; in height what it
 // still rises or sinks.
 Prism braking_region(const ReturnModel& model, const FlightStage& stage);
 
 // All ways of a return that begins anywhere in the stage: braking, up, across, down to the ground.
-// Within the cone it goes across no lower than the cone is where that is nearest to the place.
+// Within the cone it goes across no lower than the cone is where the stage is nearest to the place.
 // Sources: PX4's rtl.cpp and rtl_direct.cpp, ArduPilot Copter's mode_rtl.cpp.
 std::vector<ReturnSweep> return_sweeps(const ReturnModel& model, const FlightStage& stage,
                                        const ReturnPlace& place);

@@ -43,8 +43,15 @@ Autopilot px4(std::string_view version) {
   out.acceleration = 3;
   out.jerk = 4;
   out.takeoff_height = 2.5;
-  out.return_height = 60;
+  out.return_height = 30;  // of multicopters (rc.mc_defaults), as RTL_DESCEND_ALT
   out.return_slope = 1;
+  out.return_near = 10;
+  out.return_descend = 10;
+  out.cone_of_px4_1_11 = version.empty() || version == "1.11";
+  out.cone_of_px4_1_12 = version != "1.11";
+  const bool newest = version == "1.16" || version == "1.17";
+  out.cone_above_return = !newest && version != "1.11";
+  out.descends_aslant = !newest;
   out.rally_adds = true;
   out.heeds_item_radius = true;
   out.least_radius = version == "1.11" ? 0 : kLeastLineRadius;
@@ -72,6 +79,7 @@ Autopilot ardupilot(std::string_view version) {
   out.jerk = 1;
   out.return_height = 15;
   out.return_slope = 3;
+  out.rally_limit = 300;
   out.turns_by_s_curve = true;
   out.tracking = {0.25, 0.25, 0.25};
   out.overshoot = 0.1;

@@ -36,6 +36,8 @@ constexpr Parameter kPx4[] = {
     {"MPC_JERK_AUTO", &Autopilot::jerk, 1, 0.5, 200},
     {"MIS_TAKEOFF_ALT", &Autopilot::takeoff_height, 1, 0, 80},
     {"RTL_RETURN_ALT", &Autopilot::return_height, 1, 0, 1000},
+    {"RTL_MIN_DIST", &Autopilot::return_near, 1, 0.5, 10000},
+    {"RTL_DESCEND_ALT", &Autopilot::return_descend, 1, 0, 1000},
 };
 
 // Copter 4.7 renamed these and counts in metres; up to 4.6 they are in centimetres.
@@ -48,7 +50,6 @@ constexpr Parameter kArdupilot[] = {
     {"WPNAV_JERK", &Autopilot::jerk, 1, 0.5, 50},
     {"RTL_ALT", &Autopilot::return_height, 0.01, 0, 300000},
     {"RTL_CLIMB_MIN", &Autopilot::return_climb, 0.01, 0, 300000},
-    {"RTL_CONE_SLOPE", &Autopilot::return_slope, 1, 0, 10},
 };
 constexpr Parameter kArdupilotMetres[] = {
     {"WP_RADIUS_M", &Autopilot::acceptance, 1, 0.05, 10},
@@ -59,9 +60,12 @@ constexpr Parameter kArdupilotMetres[] = {
     {"WP_JERK", &Autopilot::jerk, 1, 0.5, 50},
     {"RTL_ALT_M", &Autopilot::return_height, 1, 0, 3000},
     {"RTL_CLIMB_MIN_M", &Autopilot::return_climb, 1, 0, 3000},
-    {"RTL_CONE_SLOPE", &Autopilot::return_slope, 1, 0, 10},
 };
 static_assert(std::size(kArdupilot) == std::size(kArdupilotMetres));
+constexpr Parameter kArdupilotAlways[] = {
+    {"RTL_CONE_SLOPE", &Autopilot::return_slope, 1, 0, 10},
+    {"RALLY_LIMIT_KM", &Autopilot::rally_limit, 1000, 0, 1000},
+};
 
 // Names that vehicles of other classes have alone.
 constexpr const char* kOtherVehicles[] = {
@@ -229,6 +233,48 @@ void take_return_type(const AutopilotSettings& settings, SetAutopilot& out) {
   }
 }
 
+// A multicopter of 1.16 and later that waits before it lands descends as older ones always do.
+void take_land_delay(const AutopilotSettings& settings, Autopilot& out) {
+  const auto delay = settings.values.find("RTL_LAND_DELAY");
+  if (delay != settings.values.end() && delay->second != 0) out.descends_aslant = true;
+}
+
+void take_home_as_rally(const AutopilotSettings& settings, SetAutopilot& out) {
+  const auto home = settings.values.find("RALLY_INCL_HOME");
+  if (home == settings.values.end()) {
+    out.assumed.emplace_back("RALLY_INCL_HOME 1");
+  } else {
+    out.autopilot.home_is_a_place = home->second != 0;
+  }
+}
+
+// A way around fences, heights above a terrain that is not known here, a landing beside a beacon:
+// then nobody knows where a return goes. All of these are off by default.
+void take_unknown_ways(const AutopilotSettings& settings, Autopilot& out) {
+  for (const char* name : {"RTL_PLD_MD", "RTL_ALT_TYPE", "OA_TYPE", "PLND_ENABLED"}) {
+    const auto found = settings.values.find(name);
+    if (found != settings.values.end() && found->second != 0) out.returns_home = false;
+  }
+}
+
+// ArduPilot's fence, which is off by default, keeps a return below it (ModeRTL), and rally points
+// within it (AP_Rally_Copter::is_valid).
+void take_fence(const AutopilotSettings& settings, Autopilot& out) {
+  const auto value = [&](const char* name, double usual) {
+    const auto found = settings.values.find(name);
+    return found == settings.values.end() ? usual : found->second;
+  };
+  constexpr unsigned kHighest = 1;  // bit of FENCE_TYPE
+  const auto type = static_cast<unsigned>(std::clamp(value("FENCE_TYPE", 7), 0.0, 255.0));
+  const bool enabled = value("FENCE_ENABLE", 0) != 0;
+  const bool may_be = value("FENCE_AUTOENABLE", 0) != 0;  // by the firmware, in flight
+  out.rally_in_fence = enabled || may_be;
+  if ((type & kHighest) == 0) return;
+  if (may_be && !enabled) out.returns_home = false;
+  if (!enabled) return;
+  out.return_ceiling = std::max(0.0, value("FENCE_ALT_MAX", 100) - value("FENCE_MARGIN", 2));
+}
+
 // The autopilot of that firmware: the one asked for, or of the file's version.
 Autopilot pilot_of(Firmware firmware, const AutopilotSettings& settings,
                    const std::vector<Autopilot>& asked, std::string_view source) {
@@ -274,15 +320,15 @@ SetAutopilot set_autopilot(const AutopilotSettings& settings, const std::vector<
   const std::size_t px4 = known(settings, kPx4);
   const std::size_t metres = known(settings, kArdupilotMetres);
   const std::size_t centimetres = known(settings, kArdupilot);
-  const bool slope = settings.values.contains("RTL_CONE_SLOPE");  // of both
-  if (px4 + metres + centimetres == 0) {
+  const std::size_t always = known(settings, kArdupilotAlways);
+  if (px4 + metres + centimetres + always == 0) {
     refuse(
         source,
         {.expected =
              "parameters of PX4 (NAV_ACC_RAD …) or ArduPilot Copter (WPNAV_RADIUS, WP_RADIUS_M …)",
          .found = "none of those that say how missions are flown"});
   }
-  if (px4 > 0 && metres + centimetres > 0) {
+  if (px4 > 0 && metres + centimetres + always > 0) {
     refuse(source, {.expected = "parameters of PX4 or of ArduPilot Copter", .found = "both"});
   }
   const Firmware firmware = px4 > 0 ? Firmware::px4 : Firmware::ardupilot;
@@ -291,7 +337,8 @@ SetAutopilot set_autopilot(const AutopilotSettings& settings, const std::vector<
     take_all(settings, kPx4, source, out);
     take_cone(settings, source, out);
     take_return_type(settings, out);
-  } else if (metres > slope && centimetres > slope) {
+    take_land_delay(settings, out.autopilot);
+  } else if (metres > 0 && centimetres > 0) {
     refuse(
         source,
         {.expected =
@@ -302,6 +349,12 @@ SetAutopilot set_autopilot(const AutopilotSettings& settings, const std::vector<
   } else {
     take_all(settings, kArdupilot, source, out);
   }
+  if (firmware == Firmware::ardupilot) {
+    take_all(settings, kArdupilotAlways, source, out);
+    take_home_as_rally(settings, out);
+    take_fence(settings, out.autopilot);
+  }
+  take_unknown_ways(settings, out.autopilot);
   take_overrides(settings, out.autopilot);
   return out;
 }

@@ -380,7 +380,9 @@ class DriftMaker {
     if (last == 0) return;
     const bool moves = task_.legs[last].manoeuvre == Manoeuvre::landing || returns(last);
     const bool rests = !moves && task_.turns[last].kind == Turn::rest;
-    Hull cone = sinking(above, rests ? above : at(last - 1), radius(last), ground);
+    const Vec3& before = rests ? above : at(last - 1);
+    Hull cone = returns(last) ? returned(above, before, radius(last), ground, ground)
+                              : sinking(above, before, radius(last), ground);
     add_overshoot(last, ground, cone);
     add_to_ground(std::move(cone), task_.landing, ground, motion);
     if (!returns(last) || last < 2 || at(last - 2).z() >= above.z()) return;
@@ -388,7 +390,16 @@ class DriftMaker {
     const double low = at(last - 2).z();
     const Vec3 home(above.x(), above.y(), low);
     const Vec3 from(at(last - 1).x(), at(last - 1).y(), low);
-    add_to_ground(sinking(home, from, radius(last), ground), task_.landing, ground);
+    add_to_ground(returned(home, from, radius(last), ground, ground), task_.landing, ground);
+  }
+
+  // As `sinking`; the landing of a return may first go aslant to a height above `place`.
+  Hull returned(const Vec3& above, const Vec3& from, double radius, double ground,
+                double place) const {
+    Hull cone = sinking(above, from, radius, ground);
+    const double low = std::max(ground, place + pilot_.return_descend);
+    if (pilot_.descends_aslant && low < above.z()) cone.push_back({above.x(), above.y(), low});
+    return cone;
   }
 
   Hull sinking(const Vec3& above, const Vec3& from, double radius, double ground) const {
@@ -454,7 +465,7 @@ class DriftMaker {
 
   void sink_to(const Vec3& rally, const Vec3& above, const Vec3& from, const FlightPart& part) {
     const double ground = task_.ends.landing_on.value_or(rally.z());
-    Hull cone = sinking(above, from, pilot_.acceptance, ground);
+    Hull cone = returned(above, from, pilot_.acceptance, ground, rally.z());
     const Vec3 way = level(above - from);
     const double length = way.norm();
     if (length > 0) {

@@ -69,6 +69,42 @@ TEST(AutopilotSettings, SayWhereAReturnMayGo) {
   EXPECT_EQ(set("RTL_CONE_ANG,0\nNAV_ACC_RAD,2\n").autopilot.return_slope, 0);
 }
 
+TEST(AutopilotSettings, SayNearWhereAReturnStaysLowAndHowItDescends) {
+  const Autopilot px = set("RTL_MIN_DIST,40\nRTL_DESCEND_ALT,12\n", "px4:1.17").autopilot;
+  EXPECT_EQ(px.return_near, 40);
+  EXPECT_EQ(px.return_descend, 12);
+  EXPECT_FALSE(px.descends_aslant);
+  EXPECT_TRUE(set("RTL_LAND_DELAY,2\nRTL_MIN_DIST,40\n", "px4:1.17").autopilot.descends_aslant);
+  EXPECT_TRUE(set("RTL_MIN_DIST,40\n", "px4:1.15").autopilot.descends_aslant) << "always";
+}
+
+TEST(AutopilotSettings, SayWhichRallyPointsCount) {
+  const Autopilot usual = set("RTL_ALT,1500\n").autopilot;
+  EXPECT_EQ(usual.rally_limit, 300);
+  EXPECT_TRUE(usual.home_is_a_place);
+  const Autopilot other = set("RALLY_LIMIT_KM,2\nRALLY_INCL_HOME,0\n").autopilot;
+  EXPECT_EQ(other.rally_limit, 2000);
+  EXPECT_FALSE(other.home_is_a_place);
+  EXPECT_EQ(set("RTL_ALT,1500\n").assumed.back(), "RALLY_INCL_HOME 1");
+}
+
+TEST(AutopilotSettings, KnowNoWayOfAReturnRoundFencesOverTerrainOrToABeacon) {
+  for (const char* name : {"RTL_ALT_TYPE", "OA_TYPE", "PLND_ENABLED"}) {
+    EXPECT_TRUE(set(std::string("RTL_ALT,1500\n") + name + ",0\n").autopilot.returns_home);
+    EXPECT_FALSE(set(std::string("RTL_ALT,1500\n") + name + ",1\n").autopilot.returns_home);
+  }
+  EXPECT_FALSE(set("NAV_ACC_RAD,2\nRTL_PLD_MD,1\n").autopilot.returns_home);
+}
+
+TEST(AutopilotSettings, SayHowHighAFenceLetsAReturnClimb) {
+  const std::string height = "RTL_ALT,1500\nFENCE_ALT_MAX,50\nFENCE_MARGIN,3\n";
+  EXPECT_FALSE(set(height).autopilot.return_ceiling) << "it is off";
+  EXPECT_EQ(set(height + "FENCE_ENABLE,1\n").autopilot.return_ceiling, 47);
+  EXPECT_TRUE(set(height + "FENCE_ENABLE,1\n").autopilot.rally_in_fence);
+  EXPECT_FALSE(set(height + "FENCE_ENABLE,1\nFENCE_TYPE,6\n").autopilot.return_ceiling);
+  EXPECT_FALSE(set(height + "FENCE_AUTOENABLE,1\n").autopilot.returns_home);
+}
+
 TEST(AutopilotSettings, RefuseOtherVehiclesAndVersions) {
   EXPECT_EQ(refusal("WPNAV_RADIUS,200\nCRUISE_SPEED,2\n"),
             "p: expected parameters of a multirotor, found CRUISE_SPEED, which another class of "

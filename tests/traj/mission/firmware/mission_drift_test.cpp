@@ -226,6 +226,24 @@ TEST(Drift, SinksBeforeItIsAboveHomeAndAboveARallyPoint) {
   EXPECT_FALSE(holds(sweeps, Vec3(50, 80, 65) + 1.5 * from));
 }
 
+TEST(Drift, ReturnsOnALineToTheHeightOfDescentUntil115) {
+  Way way = homeward();
+  way.rally = {{50, 80, 30}};
+  way.return_height = 50;
+  const Vec3 from = 1.5 * (Vec3(100, 0, 80) - Vec3(50, 80, 80)).normalized();
+  for (const auto& [version, aslant] : {std::pair{"1.15", true}, {"1.17", false}}) {
+    Autopilot near = px4(version);
+    near.acceptance = 2;
+    const auto sweeps = way.drift(near);
+    EXPECT_EQ(holds(sweeps, Vec3(50, 80, 73) + from), aslant) << "10 m above the rally point: 40";
+    EXPECT_EQ(holds(sweeps, {1.2, 0, 35}), aslant) << "and above home";
+    EXPECT_FALSE(holds(sweeps, {1.2, 0, 20}));
+  }
+  Autopilot waits = px4("1.17");
+  waits.descends_aslant = true;
+  EXPECT_TRUE(holds(way.drift(waits), {1.2, 0, 35}));
+}
+
 TEST(Drift, ClimbsToARallyPointFromWhereHomeAsksForNoClimb) {
   Way way;
   way.go({0, 0, 20}, {}, 0, 8, Manoeuvre::takeoff).go({100, 0, 20}, kRest, 5);

@@ -19,7 +19,7 @@ TEST(Flier, SaysWhatTheRulesLeaveOpen) {
   const MissionRules open = flier.rules({});
   EXPECT_EQ(open.acceptance, 10);
   EXPECT_EQ(open.speed, 5);
-  EXPECT_EQ(open.return_height, 60);
+  EXPECT_EQ(open.return_height, 30);
   EXPECT_EQ(open.braking, 2) << "less than the rules' 3";
   const MissionRules said = flier.rules({.acceptance = 1, .speed = 4, .return_height = 20});
   EXPECT_EQ(said.acceptance, 1);

@@ -54,13 +54,26 @@ struct Autopilot {
   double return_height = 0;      // m above home: RTL_RETURN_ALT, RTL_ALT
   double return_climb = 0;       // m that a return climbs at least: RTL_CLIMB_MIN
   double return_slope = 0;       // height over distance of the cone; 0: none. RTL_CONE_*
-  bool rally_adds = false;       // to a rally point it returns so high above that point
-  bool returns_home = true;      // false: a return may go to a landing of the mission (RTL_TYPE)
+  double return_near = 0;        // m from its place within which PX4's cone counts: RTL_MIN_DIST
+  double return_descend = 0;     // m above its place: RTL_DESCEND_ALT
+  bool descends_aslant = false;  // to return_descend, before it lands: PX4 until 1.15, and later
+                                 // ones that wait there (RTL_LAND_DELAY)
+  std::optional<double> return_ceiling;  // m above home that a return climbs to: FENCE_ALT_MAX
+  double rally_limit = 0;       // m: home if every rally point is further; 0: none. RALLY_LIMIT_KM
+  bool home_is_a_place = true;  // of which the nearest counts; else a last resort. RALLY_INCL_HOME
+  bool rally_in_fence = false;  // it leaves out rally points outside of its fence: FENCE_ENABLE
+  bool rally_adds = false;      // to a rally point it returns so high above that point
+  bool returns_home = true;     // false: nobody knows where a return goes (RTL_TYPE, OA_TYPE, ...)
 
   // Whether an item's own radius counts, or the parameter alone.
   bool heeds_item_radius = false;
   // Whether a turn at a passed waypoint is two overlapping S-curves, or begins within the radius.
   bool turns_by_s_curve = false;
+  // Whether a return's cone counts as in PX4 1.11, as in 1.12 and later (until 1.15 it may climb to
+  // twice the acceptance where that is higher than the return); neither: as ArduPilot's.
+  bool cone_of_px4_1_11 = false;
+  bool cone_of_px4_1_12 = false;
+  bool cone_above_return = false;
   // A leg whose item has a smaller radius than this is not followed, m.
   double least_radius = 0;
 

@@ -1,0 +1,138 @@
+#!/usr/bin/env python3
+"""Makes missions up, flies them, and ends each by a return, a landing or a hold at an instant of chance.
+
+returns.py OUT --firmware px4 --seed 1 --count 50 [--kind KIND] [-- options of fly.py]: OUT gets the missions (.plan), the
+tracks (.csv), what fly.py printed (.txt), and returns.csv, the table for judge_returns. The same seed makes the same
+missions and orders. What was flown already is not flown again. With --judge that program is run at once.
+"""
+
+import argparse
+import concurrent.futures
+import json
+import math
+import pathlib
+import random
+import re
+import subprocess
+import sys
+
+FLY = pathlib.Path(__file__).resolve().parent / "fly.py"
+HOME = (37.75, -122.5)  # kept exactly by PX4's simulator
+METRES = 111195.0  # a degree of latitude, near enough for missions at random
+ORDERED = re.compile(r", (\w+) at ([\d.]+) s from ")
+KINDS = ("corners", "climbs", "near", "fast", "rally", "starts", "past")
+
+
+def place(east, north):
+    return HOME[0] + north / METRES, HOME[1] + east / (METRES * math.cos(math.radians(HOME[0])))
+
+
+def waypoints(chance, kind):
+    """East, north and height of the take-off and of each waypoint; metres."""
+    height = chance.uniform(5, 60)
+    if kind == "past":  # fast past home, mostly so high that no climb comes first
+        height, side = chance.uniform(25, 60), chance.choice((-1, 1)) * chance.uniform(0, 80)
+        return [(0.0, 0.0, height), (-140.0, side, height), (140.0, side + chance.uniform(-30, 30), height)]
+    reach = {"near": 25, "fast": 220}.get(kind, 110)
+    points = [(0.0, 0.0, height)]
+    for _ in range(chance.randint(2, 5)):
+        if kind == "climbs":
+            height = chance.uniform(6, 75)
+        points.append((chance.uniform(-reach, reach), chance.uniform(-reach, reach), height))
+    return points
+
+
+def item(command, frame, params):
+    return {"type": "SimpleItem", "autoContinue": True, "command": command, "frame": frame, "params": params}
+
+
+def made(seed, kind, firmware):
+    """(document of a plan, seconds after arming, action, parameters, airframe)"""
+    chance = random.Random(f"{firmware} {kind} {seed}")
+    points = waypoints(chance, kind)
+    speed = chance.uniform(9, 12) if kind in ("fast", "starts", "past") else chance.choice((3, 5, 8, 12))
+    items = [item(22, 3, [0, 0, 0, None, *HOME, points[0][2]]), item(178, 2, [1, speed, -1, 0, 0, 0, 0])]
+    for east, north, height in points:
+        hold = 3 if kind == "starts" else chance.choice((0, 0, 3))  # "starts": each leg begins at a rest
+        items.append(item(16, 3, [hold, chance.choice((2, 2, 0)), 0, None, *place(east, north), height]))
+    items[-1]["params"][0] = 90  # it waits there, so that the order always comes in time
+    way = sum(math.dist(a, b) for a, b in zip(points, points[1:]))
+    lasts = 5 + points[0][2] / 2 + way / speed + 8 * len(points)
+    rally = []
+    if kind == "rally":
+        for _ in range(chance.choice((1, 2))):
+            rally.append([*place(chance.uniform(-90, 90), chance.uniform(-90, 90)), chance.choice((5, 15, 30))])
+    plan = {"fileType": "Plan", "version": 1, "groundStation": "made up",
+            "geoFence": {"version": 2, "polygons": [], "circles": []}, "rallyPoints": {"version": 2, "points": rally},
+            "mission": {"version": 2, "firmwareType": 12 if firmware == "px4" else 3, "vehicleType": 2, "cruiseSpeed": 10,
+                        "hoverSpeed": 10, "globalPlanAltitudeMode": 1, "plannedHomePosition": [*HOME, 0.0], "items": items}}
+    action = chance.choice(("rtl",) * 8 + ("land", "hold"))
+    if firmware == "px4":
+        params = {"RTL_RETURN_ALT": chance.choice((15, 30, 60)), "RTL_CONE_ANG": chance.choice((0, 25, 45, 80)),
+                  "RTL_MIN_DIST": chance.choice((10, 10, 60)), "NAV_ACC_RAD": chance.choice((10, 10, 3)),
+                  "RTL_LAND_DELAY": chance.choice((0, 0, 2))}
+        airframe = chance.choice(("quad2kg", "quad2kg", "stock"))
+    else:
+        params = {"RTL_ALT": chance.choice((1000, 1500, 4000)), "RTL_CLIMB_MIN": chance.choice((0, 0, 500)),
+                  "RTL_CONE_SLOPE": chance.choice((3, 3, 1, 0)), "RALLY_INCL_HOME": chance.choice((1, 1, 0))}
+        airframe = "quad2kg"
+    first = lasts - 8 - 280 / speed if kind == "past" else 3
+    return plan, round(chance.uniform(first, lasts), 1), action, params, airframe
+
+
+def fly(one, folder, firmware, options):
+    name, (plan, seconds, action, params, airframe) = one
+    mission, track, notes = (folder / f"{name}.{end}" for end in ("plan", "csv", "txt"))
+    if not (track.exists() and notes.exists()):
+        mission.write_text(json.dumps(plan))
+        command = [sys.executable, FLY, mission, "-o", track, "--firmware", firmware, "--airframe", airframe,
+                   "--return-at", f"{seconds},{action}", *options]
+        for key, value in params.items():
+            command += ["--set", f"{key}={value}"]
+        done = subprocess.run(command, capture_output=True, text=True)
+        notes.write_text(done.stderr + done.stdout)
+    found = ORDERED.search(notes.read_text())
+    if not found or not track.exists():
+        return None, f"{name}: failed: {notes.read_text().strip()[-200:]}"
+    drag = "" if firmware == "arducopter" else "1" if airframe == "stock" else "0.122"
+    autopilot = "px4:1.17" if firmware == "px4" else "ardupilot:4.7"
+    settings = " ".join(f"{key}={value}" for key, value in params.items())
+    kept = "hold" if found[1] == "loiter" else found[1]
+    row = f"{track.name},{mission.name},{autopilot},{kept},{found[2]},{settings},{drag}"
+    return row, f"{name}: {notes.read_text().strip().splitlines()[-1][-160:]}"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0], epilog="Options after -- go to fly.py.")
+    parser.add_argument("outdir", type=pathlib.Path)
+    parser.add_argument("--firmware", choices=("px4", "arducopter"), default="px4")
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--count", type=int, default=10)
+    parser.add_argument("--kind", choices=KINDS, help="of all missions (default: each in its turn)")
+    parser.add_argument("--action", choices=("rtl", "land", "hold", "loiter"), help="of all orders (default: mostly rtl)")
+    parser.add_argument("-j", "--jobs", type=int, default=2, help="flights at once (2)")
+    parser.add_argument("--judge", type=pathlib.Path, metavar="JUDGE_RETURNS", help="the program of that name, to run afterwards")
+    at = sys.argv.index("--") if "--" in sys.argv else len(sys.argv)
+    options, rest = parser.parse_args(sys.argv[1:at]), sys.argv[at + 1 :]
+    options.outdir.mkdir(parents=True, exist_ok=True)
+    flights = []
+    for number in range(options.count):
+        kind = options.kind or KINDS[number % len(KINDS)]
+        seed = 1000 * options.seed + number
+        plan, seconds, action, params, airframe = made(seed, kind, options.firmware)
+        name = f"{options.firmware[:3]}_{kind}_{seed}" + (f"_{options.action}" if options.action else "")
+        flights.append((name, (plan, seconds, options.action or action, params, airframe)))
+    table = options.outdir / "returns.csv"
+    rows = []
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        for row, said in pool.map(lambda one: fly(one, options.outdir, options.firmware, rest), flights):
+            print(said, flush=True)
+            rows += [row] if row else []
+    table.write_text("track,mission,autopilot,action,seconds,settings,drag\n" + "".join(f"{row}\n" for row in rows))
+    if options.judge:
+        return subprocess.run([options.judge, table]).returncode
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
