@@ -72,7 +72,7 @@ inline constexpr NamedDjiAircraft kDjiAircraft[] = {
     {"m3m", {77, 2}, 68}, {"m3d", {91, 0}, 80},  {"m3td", {91, 1}, 81}};
 
 // What is known of all aircraft of a type (droneEnumValue): the profile of data/vehicles that holds
-// them, and the most that they climb and sink, m/s, as DJI publishes it.
+// them, and the most that they climb and sink, m/s, as DJI publishes it (of type 91 an assumption).
 struct DjiAirframe {
   int type = 0;
   std::string_view vehicle;
