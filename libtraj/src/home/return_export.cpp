@@ -340,7 +340,12 @@ bool ReturnWishes::any() const {
 MissionExport export_with_return(const geom::CollisionScene& scene, const ExportFlight& flight,
                                  const MissionFormat& format, const ExportOptions& options,
                                  const ReturnWishes& wishes) {
-  if (format.has_legs) return ReturnExport(scene, flight, format, options, wishes).make();
+  if (&format == &kWpl || &format == &kQgcPlan) {
+    return ReturnExport(scene, flight, format, options, wishes).make();
+  }
+  if (&format != &kVolume4d) {
+    throw geom::UsageError(fmt::format("a {} file holds no return", format.format.word));
+  }
   MissionExport made = export_mission(scene, flight, format, options);
   if (!made.written || wishes.off_nominal == 0) return made;
   return with_off_nominal(scene, flight, options, wishes, std::move(made));

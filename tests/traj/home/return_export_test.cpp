@@ -207,6 +207,13 @@ TEST(ExportWithReturn, NeedsOneAutopilotForParameters) {
                geom::UsageError);
 }
 
+TEST(ExportWithReturn, RefusesFormatsThatHoldNoReturn) {
+  for (const MissionFormat* format : {&kKml, &kTello, &kCrazyflie, &kDjiWpml}) {
+    EXPECT_THROW(export_with_return(field(), around(), *format, options(), at(60)),
+                 geom::UsageError);
+  }
+}
+
 TEST(ExportWithReturn, TellsTheProcedureInWords) {
   ReturnWishes wishes = at(60);
   wishes.procedure = true;

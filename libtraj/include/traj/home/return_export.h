@@ -38,11 +38,12 @@ struct ReturnWishes {
 // ground as high as home's below it, or outside of a fence, where fences have more corners than the
 // autopilots store, and where none can be compiled. Compiled fences hold the mission and each
 // return that is proved without them and leaves 3 cm for them (prove_return), and keep out of the
-// boxes that reach the return height. `warnings` say from which times no return is proved, and which boxes are not
-// fenced out. Of volumes of airspace: the off-nominal ones are added, and hold all returns
-// (why_returns_not_held).
+// boxes that reach the return height. `warnings` say from which times no return is proved, and how
+// many boxes are not fenced out. Of volumes of airspace: the off-nominal ones are added, and hold
+// all returns (why_returns_not_held).
 //
-// Throws geom::UsageError as export_mission() does, and for parameters of several firmwares.
+// Throws geom::UsageError as export_mission() does, for formats but kWpl, kQgcPlan and kVolume4d,
+// and for parameters of several firmwares.
 MissionExport export_with_return(const geom::CollisionScene& scene, const ExportFlight& flight,
                                  const MissionFormat& format, const ExportOptions& options,
                                  const ReturnWishes& wishes);
