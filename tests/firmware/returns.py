@@ -97,8 +97,7 @@ def fly(one, folder, firmware, options):
     drag = "" if firmware == "arducopter" else "1" if airframe == "stock" else "0.122"
     autopilot = "px4:1.17" if firmware == "px4" else "ardupilot:4.7"
     settings = " ".join(f"{key}={value}" for key, value in params.items())
-    kept = "hold" if found[1] == "loiter" else found[1]
-    row = f"{track.name},{mission.name},{autopilot},{kept},{found[2]},{settings},{drag}"
+    row = f"{track.name},{mission.name},{autopilot},{found[1]},{found[2]},{settings},{drag}"
     return row, f"{name}: {notes.read_text().strip().splitlines()[-1][-160:]}"
 
 
@@ -109,7 +108,7 @@ def main():
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--count", type=int, default=10)
     parser.add_argument("--kind", choices=KINDS, help="of all missions (default: each in its turn)")
-    parser.add_argument("--action", choices=("rtl", "land", "hold", "loiter"), help="of all orders (default: mostly rtl)")
+    parser.add_argument("--action", choices=("rtl", "land", "hold"), help="of all orders (default: mostly rtl)")
     parser.add_argument("-j", "--jobs", type=int, default=2, help="flights at once (2)")
     parser.add_argument("--judge", type=pathlib.Path, metavar="JUDGE_RETURNS", help="the program of that name, to run afterwards")
     at = sys.argv.index("--") if "--" in sys.argv else len(sys.argv)
