@@ -11,6 +11,7 @@
 #include "cli/option/scenes.h"
 #include "cli/run.h"
 #include "cli/tell.h"
+#include "contingencies.h"
 #include "flight_logs.h"
 #include "geom/record/agreed_room.h"
 #include "geom/record/named_map.h"
@@ -37,6 +38,7 @@ struct Options {
   bool drop_refused = false;
   cli::DroneFileOptions drone_file;
   checking::Returns returns;
+  checking::Contingencies contingencies;
   checking::Together together;
   checking::FlightLogs flights;
   cli::MetresOption metres;
@@ -88,6 +90,7 @@ void Options::add_to(CLI::App& app) {
       "write the reasons why each accepted record is clear, JSON Lines; implies --exact");
   drone_file.add_to(app);
   returns.add_to(app);
+  contingencies.add_to(app);
   flights.add_to(app);
   together.add_to(app);
   metres.add_to(app);
@@ -96,6 +99,7 @@ void Options::add_to(CLI::App& app) {
 void Options::refuse_idle(const CLI::App& app) const {
   flights.refuse_idle(app, flight_log());
   returns.refuse_idle(app);
+  contingencies.refuse_idle(app);
   cli::only_for(app, !flight_log(), {"--return"}, "records and drone files");
   together.refuse_idle(app, !drone_file.format.empty());
   cli::only_for(app, !profile.file().empty(), {"--profile-step"}, "--profile");
@@ -204,7 +208,8 @@ void begin(cli::Sharding& sharding, CLI::App& app, const Options& options) {
                   {"file", options.input},
                   {"params", options.drone_file.autopilot.params},
                   {"plan", options.flights.plan()},
-                  {"tube", options.flights.tube()}},
+                  {"tube", options.flights.tube()},
+                  {"contingencies", options.contingencies.file()}},
                  {{"output", options.report.file()},
                   {"certificate", options.certificate},
                   {"profile", options.profile.file()}});
@@ -260,12 +265,15 @@ int main(int argc, char** argv) {
   return cli::run_tool(app, argc, argv, [&] {
     cli::at_most_one_stdin({options.map, options.input, options.drone_file.autopilot.params,
                             options.flights.plan(), options.flights.tube(),
-                            options.together.moving().file()});
+                            options.together.moving().file(), options.contingencies.file()});
     refuse_together(options, sharding.asked());
     const geom::BoxMap map = cli::open_map(options.map, geom::Verified::contents);
     cli::InputFile file(options.input);
     options.drone_file.settle(file);
     options.refuse_idle(app);
+    if (options.contingencies.asked()) {
+      options.contingencies.settle(options.drone_file, options.vehicle);
+    }
     begin(sharding, app, options);
     if (const auto done = sharding.finished(common)) return *done;
     using Differences = cli::Scenes::Differences;
@@ -275,6 +283,11 @@ int main(int argc, char** argv) {
     if (options.flight_log()) {
       return options.flights.check(common, options.input, scenes, options.metres, sharding,
                                    options.report);
+    }
+    if (options.contingencies.asked()) {
+      return options.contingencies.check({common, file, scenes, options.drone_file.autopilot,
+                                          options.limits.limits()[traj::Limit::speed],
+                                          options.metres, sharding, options.report});
     }
     return check_records(options, file, scenes, sharding, common);
   });

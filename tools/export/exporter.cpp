@@ -11,6 +11,9 @@ Exporter::Exporter(const cli::Common& common, const Options& options)
   if (options.unchecked) return;
   scenes_.emplace(cli::open_map(options.files[0], geom::Verified::contents), options.vehicle,
                   cli::Scenes::Differences::refused);
+  geom::Frame frame = scenes_->map().spec().frame;
+  if (options.file.placement.origin) frame.origin = options.file.placement.origin;
+  wishes_ = options.returns.wishes(frame, options.file.volumes);
 }
 
 std::optional<traj::WrittenMission> Exporter::make(const Flight& flight) {
@@ -50,10 +53,24 @@ traj::MissionExport Exporter::export_unchecked(const Flight& flight) {
                                 options_.file);
 }
 
+// A mission of DJI is for an aircraft whose profile is known.
+void Exporter::require_vehicle(const Flight& flight) const {
+  if (scenes_->asked().vehicle || flight.provenance.vehicle) return;
+  if (&options_.format() != &traj::kDjiWpml) return;
+  throw cli::UsageError(
+      fmt::format("no vehicle: the record names none; give --vehicle {}, which is the aircraft "
+                  "that the mission is for (--aircraft)",
+                  traj::vehicle_of(options_.file.dji.aircraft)));
+}
+
 traj::MissionExport Exporter::export_checked(const Flight& flight) {
+  require_vehicle(flight);
   const geom::CollisionScene& scene = scene_for(flight);
   options_.metres.check_input(scene.map().spec().frame, flight.way.trajectory, flight.way.id, 0);
-  return traj::export_mission(scene, flight.way, options_.format(), options_.file);
+  if (!wishes_.any()) {
+    return traj::export_mission(scene, flight.way, options_.format(), options_.file);
+  }
+  return traj::export_with_return(scene, flight.way, options_.format(), options_.file, wishes_);
 }
 
 }  // namespace exporting

@@ -33,11 +33,13 @@ class Exporter {
  private:
   traj::MissionExport export_checked(const Flight& flight);
   traj::MissionExport export_unchecked(const Flight& flight);
+  void require_vehicle(const Flight& flight) const;
   traj::MissionExport export_one(const Flight& flight);
 
   const cli::Common& common_;
   const Options& options_;
   std::optional<cli::Scenes> scenes_;
+  traj::ReturnWishes wishes_;
   std::set<std::string> told_;  // warnings, each once a run
 };
 

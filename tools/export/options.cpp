@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "cli/content/drone_file.h"
 #include "cli/file/files.h"
@@ -91,6 +90,7 @@ void Options::add_to(CLI::App& app) {
                   "Tello: also write a program for the library DJITelloPy that flies it");
   cli::add_output(app, "--table", table,
                   "Tello: also write a table of where and when each leg ends, CSV");
+  returns.add_to(app);
   vehicle.add_to(app);
   vehicle.add_memory_to(app);
   vehicle.add_spare_to(app);
@@ -108,6 +108,7 @@ void Options::require_sound(const CLI::App& app) const {
   if (!unchecked) cli::at_most_one_stdin({files[0], input()});
   require_outputs();
   refuse_idle(app, word, unchecked);
+  returns.require_sound(app, word, unchecked);
   cli::only_for(app, !show.empty() && !unchecked, cli::kSpacingOptions, "a --show that is checked");
   require_flyable(format(), file.speed);
 }
@@ -120,18 +121,30 @@ void Options::settle() {
   file.says_when = !show.empty();
 }
 
+std::array<Options::Output, 7> Options::outputs() const {
+  return {{{output, "--output"},
+           {python, "--python"},
+           {table, "--table"},
+           {returns.fences_out, "--fence-out"},
+           {returns.rally_out, "--rally-out"},
+           {returns.params_out, "--params-out"},
+           {returns.procedure, "--procedure"}}};
+}
+
 void Options::require_outputs() const {
-  const std::string outputs[] = {output, python, table};
-  if (std::count(std::begin(outputs), std::end(outputs), "-") > 1) {
-    throw cli::UsageError("the script, --python and --table cannot share stdout");
+  const auto all = outputs();
+  const auto to_stdout =
+      std::count_if(all.begin(), all.end(), [](const Output& one) { return one.name == "-"; });
+  if (to_stdout > 1) {
+    throw cli::UsageError("the drone file and the files beside it cannot share stdout");
   }
   const bool each = geom::OutputNames(output, "--output").each();
-  for (const auto& [name, option] : {std::pair(python, "--python"), std::pair(table, "--table")}) {
-    if (!name.empty() && geom::OutputNames(name, option).each() != each) {
+  for (const Output& one : all) {
+    if (!one.name.empty() && geom::OutputNames(one.name, one.option).each() != each) {
       throw cli::UsageError(
           fmt::format("--output and {}: expected %s in both or in neither, found \"{}\" and "
                       "\"{}\"",
-                      option, output, name));
+                      one.option, output, one.name));
     }
   }
 }

@@ -3,12 +3,14 @@
 // What the user asked of skyway-export.
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <string>
 #include <vector>
 
 #include "cli/option/autopilot_option.h"
 #include "cli/option/degrees.h"
 #include "cli/option/vehicle_option.h"
+#include "return_options.h"
 #include "traj/mission/export_mission.h"
 #include "traj/together/spacing.h"
 #include "traj/together/timed_flight.h"
@@ -23,6 +25,7 @@ struct Options {
   std::string output = "-";
   std::string python;  // of a Tello, beside its script; empty: not asked for
   std::string table;
+  ReturnOptions returns;
   std::string show;  // a folder for the files of all; empty: not asked for
   std::string id;
   std::string axes = "enu";
@@ -47,6 +50,14 @@ struct Options {
 
   // Completes `file`, with what the vehicle's profile and the autopilot's parameters say.
   void settle();
+
+  // All files of one flight, and the options that name them: the drone file, then what may stand
+  // beside it. Empty names: not asked for.
+  struct Output {
+    std::string name;
+    const char* option;
+  };
+  std::array<Output, 7> outputs() const;
 
  private:
   void require_outputs() const;

@@ -7,18 +7,16 @@
 
 namespace exporting {
 
-Outputs::Outputs(const Options& options)
-    : names_{geom::OutputNames(options.output, "--output"),
-             geom::OutputNames(options.python, "--python"),
-             geom::OutputNames(options.table, "--table")},
-      source_(options.source()),
-      wanted_{true, !options.python.empty(), !options.table.empty()} {}
+Outputs::Outputs(const Options& options) : source_(options.source()) {
+  for (const Options::Output& one : options.outputs()) {
+    names_.emplace_back();
+    if (!one.name.empty()) names_.back().emplace(one.name, one.option);
+  }
+}
 
 void Outputs::add(const std::string& id) {
   Files files;
-  for (int i = 0; i < 3; ++i) {
-    if (wanted_[i]) files[i] = names_[i].of(id, source_);
-  }
+  for (auto& names : names_) files.push_back(names ? names->of(id, source_) : "");
   files_.push_back(files);
 }
 
@@ -33,10 +31,12 @@ std::vector<std::string> Outputs::stale(std::size_t index) const {
 void Outputs::save(std::size_t index, const traj::MissionFormat& format,
                    const traj::WrittenMission& written) const {
   const auto kind = format.is_binary ? cli::OutputKind::artefact : cli::OutputKind::text;
-  const std::string* const texts[] = {&written.text, &written.python, &written.csv};
+  const std::string* const texts[] = {&written.text,     &written.python, &written.csv,
+                                      &written.fences,   &written.rally,  &written.params,
+                                      &written.procedure};
   std::list<cli::OutputFile> outputs;
-  for (int i = 0; i < 3; ++i) {
-    if (wanted_[i]) outputs.emplace_back(files_[index][i], kind).stream() << *texts[i];
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    if (names_[i]) outputs.emplace_back(files_[index][i], kind).stream() << *texts[i];
   }
   for (cli::OutputFile& file : outputs) each() ? file.commit_now() : file.commit();
 }

@@ -2,7 +2,7 @@
 
 // Where the files of a run go.
 
-#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +17,7 @@ class Outputs {
  public:
   explicit Outputs(const Options& options);
 
-  bool each() const { return names_[0].each(); }
+  bool each() const { return names_[0]->each(); }
 
   // Throws where two records would be one file.
   void add(const std::string& id);
@@ -30,10 +30,9 @@ class Outputs {
             const traj::WrittenMission& written) const;
 
  private:
-  using Files = std::array<std::string, 3>;
-  std::array<geom::OutputNames, 3> names_;
+  using Files = std::vector<std::string>;  // as Options::outputs(); empty: not asked for
+  std::vector<std::optional<geom::OutputNames>> names_;
   std::string source_;
-  std::array<bool, 3> wanted_;
   std::vector<Files> files_;
 };
 

@@ -21,6 +21,7 @@
 #include "geom/map/wider_bounds.h"
 #include "geom/record/query_record.h"
 #include "geom/text/counted.h"
+#include "home.h"
 #include "plan/planner/moved_ends.h"
 #include "plan/planner/path_record.h"
 #include "plan/planner/proof_line.h"
@@ -206,29 +207,41 @@ int main(int argc, char** argv) {
   cli::ArtefactFiles prepared;
   planning::SearchOptions search;
   planning::QueriesOption asked;
+  planning::HomeOption home;
   std::string map_file;
   std::string output = "-";
   cli::Sharding sharding;
   app.add_option("map", map_file, "box map; - for stdin")->required();
   prepared.add_to(app);
   cli::add_quality(app, search.plan.quality);
-  CLI::Option* queries_option = asked.add_to(app);
+  asked.add_to(app);
   cli::add_output(app, "-o,--output", output, "paths (default: stdout)");
   search.add_to(app);
   vehicle.add_to(app);
   vehicle.add_memory_to(app);
-  sharding.add_to(app)->needs(queries_option)->excludes("--tree");
+  home.add_to(app);
+  sharding.add_to(app)->excludes("--tree");
   return cli::run_tool(app, argc, argv, [&] {
-    asked.require_some();
+    home.refuse_idle(app);
+    if (!home.asked()) asked.require_some(sharding.asked());
     search.refuse_idle(app, prepared);
-    cli::at_most_one_stdin({map_file, prepared.lattice, prepared.roadmap, asked.file()});
+    cli::at_most_one_stdin(
+        {map_file, prepared.lattice, prepared.roadmap, asked.file(), home.sites(), home.flights()});
     sharding.begin(app,
                    {{"map", map_file},
                     {"lattice", prepared.lattice},
                     {"roadmap", prepared.roadmap},
-                    {"queries", asked.file()}},
+                    {"queries", asked.file()},
+                    {"home", home.sites()},
+                    {"flights", home.flights()}},
                    {{"output", output}, {"certificate", search.certificate}});
     if (const auto done = sharding.finished(common)) return *done;
+    if (home.asked()) {
+      const bool chosen = app.count("--quality") > 0;
+      return home.plan({common, map_file, vehicle, asked.metres(),
+                        chosen ? std::optional(search.plan.quality) : std::nullopt, output,
+                        sharding});
+    }
     // A certificate stands for the map.
     const auto trust =
         search.certificate.empty() ? geom::Verified::extents : geom::Verified::contents;

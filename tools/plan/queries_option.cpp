@@ -12,7 +12,7 @@ bool on_earth(const geom::Place& place) { return std::holds_alternative<geom::Ea
 
 }  // namespace
 
-CLI::Option* QueriesOption::add_to(CLI::App& app) {
+void QueriesOption::add_to(CLI::App& app) {
   auto* queries = app.add_option("--queries", file_, "JSON Lines, CSV or GeoJSON; - for stdin");
   auto* start = cli::add_place(
       app, "--from", from_,
@@ -22,11 +22,11 @@ CLI::Option* QueriesOption::add_to(CLI::App& app) {
   start->needs(goal)->excludes(queries);
   goal->needs(start)->excludes(queries);
   metres_.add_to(app);
-  return queries;
 }
 
-void QueriesOption::require_some() const {
+void QueriesOption::require_some(bool sharded) const {
   if (file_.empty() && !from_) throw cli::UsageError("give --from and --to, or --queries");
+  if (sharded && file_.empty()) throw cli::UsageError("--shard requires --queries");
 }
 
 std::vector<geom::PlanQuery> QueriesOption::read(const geom::BoxMap& map) const {

@@ -15,10 +15,12 @@ namespace planning {
 
 class QueriesOption {
  public:
-  CLI::Option* add_to(CLI::App& app);  // returns --queries
+  void add_to(CLI::App& app);
 
-  void require_some() const;  // throws cli::UsageError
+  // Throws cli::UsageError where there is nothing to plan, or one query for several shards.
+  void require_some(bool sharded) const;
   const std::string& file() const { return file_; }
+  const cli::MetresOption& metres() const { return metres_; }
 
   // Places on Earth become metres of the map; ends in metres that look like degrees are refused.
   std::vector<geom::PlanQuery> read(const geom::BoxMap& map) const;

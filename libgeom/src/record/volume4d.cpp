@@ -185,20 +185,21 @@ void add_each(const Member& list, std::vector<Volume4d>& out) {
 }
 
 // Of an operational intent or a constraint.
-void add_details(const Member& details, std::vector<Volume4d>& out) {
+void add_details(const Member& details, IntentVolumes& out) {
   details.require_known({"volumes", "off_nominal_volumes", "priority", "type", "geozone"});
-  for (const char* key : {"volumes", "off_nominal_volumes"}) {
-    if (details.has(key)) add_each(details.at(key), out);
+  if (details.has("volumes")) add_each(details.at("volumes"), out.nominal);
+  if (details.has("off_nominal_volumes")) {
+    add_each(details.at("off_nominal_volumes"), out.off_nominal);
   }
 }
 
-void add_entity(const Member& entity, std::vector<Volume4d>& out) {
+void add_entity(const Member& entity, IntentVolumes& out) {
   entity.require_known({"reference", "details"});
   add_details(entity.at("details"), out);
 }
 
-void add_all(const Member& root, std::vector<Volume4d>& out) {
-  if (root.value().is_array()) return add_each(root, out);
+void add_all(const Member& root, IntentVolumes& out) {
+  if (root.value().is_array()) return add_each(root, out.nominal);
   if (!root.value().is_object()) {
     root.refuse(
         {.expected = "a Volume4D of ASTM F3548, or a list of them", .found = shown(root.value())});
@@ -210,7 +211,7 @@ void add_all(const Member& root, std::vector<Volume4d>& out) {
   }
   if (root.has("details")) return add_entity(root, out);
   if (root.has_any({"volumes", "off_nominal_volumes"})) return add_details(root, out);
-  out.push_back(volume_of(root));
+  out.nominal.push_back(volume_of(root));
 }
 
 JsonLine point_line(const GeodeticPlace& place) {
@@ -245,23 +246,40 @@ JsonLine line_of(const Volume4d& volume) {
   return out;
 }
 
+// A volume a line.
+std::string lines_of(std::span<const Volume4d> volumes) {
+  std::string text;
+  for (std::size_t i = 0; i < volumes.size(); ++i) {
+    text += (i ? ",\n" : "\n") + line_of(volumes[i]).object();
+  }
+  return text;
+}
+
 }  // namespace
 
-std::vector<Volume4d> read_volumes_4d(std::istream& in, std::string_view source) {
+IntentVolumes read_intent_volumes(std::istream& in, std::string_view source) {
   const Json root = parse_json(in, source);
-  std::vector<Volume4d> out;
+  IntentVolumes out;
   add_all({root, source, ""}, out);
-  if (out.empty()) throw InputError(source, {.expected = "at least one volume", .found = "none"});
+  if (out.nominal.empty() && out.off_nominal.empty()) {
+    throw InputError(source, {.expected = "at least one volume", .found = "none"});
+  }
+  return out;
+}
+
+std::vector<Volume4d> read_volumes_4d(std::istream& in, std::string_view source) {
+  IntentVolumes read = read_intent_volumes(in, source);
+  std::vector<Volume4d> out = std::move(read.nominal);
+  out.insert(out.end(), read.off_nominal.begin(), read.off_nominal.end());
   return out;
 }
 
 std::string operational_intent_details(std::span<const Volume4d> volumes,
-                                       std::optional<int> priority) {
-  std::string text = "{\"volumes\":[";
-  for (std::size_t i = 0; i < volumes.size(); ++i) {
-    text += (i ? ",\n" : "\n") + line_of(volumes[i]).object();
-  }
-  text += "\n],\"off_nominal_volumes\":[]";
+                                       std::optional<int> priority,
+                                       std::span<const Volume4d> off_nominal) {
+  std::string text = "{\"volumes\":[" + lines_of(volumes);
+  text += "\n],\"off_nominal_volumes\":[" + lines_of(off_nominal);
+  text += off_nominal.empty() ? "]" : "\n]";
   if (priority) text += fmt::format(",\"priority\":{}", *priority);
   return text + "}\n";
 }

@@ -83,7 +83,7 @@ class Prover {
     if (!stage.stands_on) stage.stands_on = pad_below(stage);
     NearBoxes near;
     const auto found = obstruction(stage, of_whole, near);
-    if (!found) return;
+    if (!found) return add_proved(stage);
     const auto parts = extent(stage) > task_.finest ? halves(stage) : std::nullopt;
     if (!parts || blocked_all_along(stage, near)) return add_gap(stage, *found);
     prove(parts->first, near);
@@ -92,8 +92,28 @@ class Prover {
 
   std::vector<ReturnGap> gaps;
   double longest = 0;  // s
+  bool keeps_proved = false;
+  std::vector<ProvedReturn> proved;  // where these are kept
 
  private:
+  void add_proved(const FlightStage& stage) {
+    if (!keeps_proved) return;
+    for (const ReturnSweep& one : sweeps_from(stage)) proved.push_back({one, stage.part, extra_});
+  }
+
+  std::vector<ReturnSweep> sweeps_from(const FlightStage& stage) const {
+    if (task_.action == ReturnAction::hold) return holding_sweeps(model_, stage);
+    if (task_.action == ReturnAction::land) {
+      return landing_sweeps(model_, stage, task_.home.z(), scene_.map().spec().bounds.min.z());
+    }
+    std::vector<ReturnSweep> out;
+    for (const std::size_t i : likely_places(model_, stage, places_)) {
+      const auto sweeps = return_sweeps(model_, stage, places_[i]);
+      out.insert(out.end(), sweeps.begin(), sweeps.end());
+    }
+    return out;
+  }
+
   bool done() const { return first_gap_only_ && !gaps.empty(); }
 
   // A trajectory has no items.
@@ -137,10 +157,21 @@ class Prover {
 
   // --- one stage ----------------------------------------------------------------------------
 
-  // The first thing that some return from the stage meets. `of_whole`: the boxes near what the
-  // stage is a part of; `near` gets those near the stage.
+  // The first thing that some return from the stage meets, fences last: what is left to them is
+  // clear of the map. `of_whole`: the boxes near what the stage is a part of; `near` gets those
+  // near the stage.
   std::optional<Obstruction> obstruction(const FlightStage& stage, const NearBoxes& of_whole,
                                          NearBoxes& near) {
+    if (const auto met = met_on_map(stage, of_whole, near)) return met;
+    if (task_.fences.empty()) return std::nullopt;
+    for (const ReturnSweep& one : sweeps_from(stage)) {
+      if (const auto left = fence_left(one, stage.part)) return left;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Obstruction> met_on_map(const FlightStage& stage, const NearBoxes& of_whole,
+                                        NearBoxes& near) {
     near.assign(kMostSweeps * places_.size(), std::nullopt);
     const auto met_by = [&](const std::vector<ReturnSweep>& sweeps, std::size_t place) {
       return first_met(stage, sweeps, {of_whole, near, kMostSweeps * place});
@@ -195,7 +226,6 @@ class Prover {
       if (const auto met = box_met(one, *lists.near[list], stage.from, stage.until + lasts)) {
         return met;
       }
-      if (const auto left = fence_left(one, stage.part)) return left;
     }
     return std::nullopt;
   }
@@ -357,6 +387,20 @@ ReturnReport prove_return(const geom::CollisionScene& scene,
                           std::span<const std::vector<FlightStage>> stages,
                           const ReturnTask& task) {
   return prove(scene, stages, task, false);
+}
+
+std::vector<ProvedReturn> proved_returns(const geom::CollisionScene& scene,
+                                         std::span<const std::vector<FlightStage>> stages,
+                                         const ReturnTask& task) {
+  require_task(stages, task);
+  std::vector<ProvedReturn> out;
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    Prover prover(scene, task.models[i], task, false);
+    prover.keeps_proved = true;
+    for (const FlightStage& stage : stages[i]) prover.prove(stage);
+    out.insert(out.end(), prover.proved.begin(), prover.proved.end());
+  }
+  return out;
 }
 
 std::optional<ReturnHeight> best_return_height(const geom::CollisionScene& scene,

@@ -1,9 +1,11 @@
 #include "prove.h"
 
+#include <sstream>
 #include <utility>
 
 #include "geom/base/error.h"
 #include "traj/curve/to_enu.h"
+#include "traj/mission/formats/fence_file.h"
 #include "traj/mission/judge/judge.h"
 #include "traj/mission/read_mission.h"
 #include "traj/mission/straight_legs.h"
@@ -14,15 +16,32 @@ namespace {
 constexpr int kAttempts = 10;     // of tolerances, halved each time
 constexpr double kEndGap = 0.02;  // m: how well straight legs must meet the ends
 
+// The flight keeps to fences in a file of their own, too.
+void add_fences(const WrittenMission& written, const Placement& placement, const geom::Frame& frame,
+                Flown& flown) {
+  auto* mission = std::get_if<FlownMission>(&flown.way);
+  if (written.fences.empty() || !mission) return;
+  std::istringstream in(written.fences);
+  const geom::GeodeticOrigin origin = placement.mission_frame(frame).origin;
+  for (const GeodeticFence& one : read_fences(in, "the fences that were written")) {
+    Fence fence = fence_on_map(one, origin, "the fences that were written");
+    for (geom::Vec2& p : fence.ring) {
+      p = geom::to_enu(frame.axes, Vec3(p.x(), p.y(), 0)).head<2>();
+    }
+    mission->fences.push_back(std::move(fence));
+  }
+}
+
 // What the bytes make the drone fly, judged.
 CheckResult judge_written(const geom::CollisionScene& scene, const MissionTask& task,
                           const WrittenMission& written) {
   const geom::Frame& frame = scene.map().spec().frame;
   MissionReading reading = written.reading;
   reading.flier = task.options.flier;
-  const auto read = read_mission(written.text, "what was written", *task.format, reading, frame);
+  auto read = read_mission(written.text, "what was written", *task.format, reading, frame);
   if (read.size() != 1) throw geom::InputError("what was written", {.expected = "one flight"});
-  const Flown& flown = read.front().flown;
+  Flown& flown = read.front().flown;
+  add_fences(written, reading.placement, frame, flown);
   CheckResult result = judge(scene, flown, task.limits, Clearance::left_out);
   const FlownLegs* legs = legs_of(flown);
   if (!result.ok || !legs) return result;

@@ -172,11 +172,14 @@ std::string met_in_words(const ReturnGap& gap, const geom::BoxMap& map) {
   }
 }
 
+std::string gap_in_words(const ReturnGap& gap, const geom::BoxMap& map) {
+  return fmt::format("from {:.4g} s to {:.4g} s no way home is proved: {} {}", gap.from, gap.until,
+                     phase_in_words(gap.phase), met_in_words(gap, map));
+}
+
 // Of a refused report, where the flight itself is clear.
 std::string returns_in_words(const ReturnReport& returns, const geom::BoxMap& map) {
-  const ReturnGap& gap = returns.gaps.front();
-  std::string out = fmt::format("from {:.4g} s to {:.4g} s no way home is proved: {} {}", gap.from,
-                                gap.until, phase_in_words(gap.phase), met_in_words(gap, map));
+  std::string out = gap_in_words(returns.gaps.front(), map);
   if (returns.gaps.size() > 1) out += fmt::format(", and {} more", returns.gaps.size() - 1);
   out +=
       fmt::format("; {} holds for {:.4g} % of the flight", returns.action, 100 * returns.share());
@@ -301,6 +304,10 @@ std::string flown_in_words(const FlightPathCheck& check, const FlightReport& rep
 
 }  // namespace
 
+std::string in_words(const ReturnGap& gap, const geom::BoxMap& map) {
+  return gap_in_words(gap, map);
+}
+
 std::string fault_in_words(const CheckResult& result, const geom::BoxMap& map, const HeldTo& held) {
   for (const LimitKind& kind : kLimitKinds) {
     if (result.reason == broken(kind.limit)) return limit_fault(kind, result, held.limits);
@@ -397,6 +404,11 @@ std::string_view verdict_word(const ReportRecord& report) {
 }
 
 std::string in_words(const ReportRecord& report, const geom::BoxMap& map) {
+  if (report.checked == kCheckedContingency) {
+    return accepted(report)
+               ? fmt::format("ways home from every instant of {:.4g} s", report.result.duration)
+               : report.detail;
+  }
   if (accepted(report)) return accepted_in_words(report);
   if (!report.result.ok) return refused_in_words(report, map);
   if (!report.exact || report.exact->ok) return returns_in_words(*report.returns, map);

@@ -173,5 +173,24 @@ TEST(OperationalIntentDetails, ComeBackAsTheyWere) {
   EXPECT_FALSE(again[1].start);
 }
 
+TEST(ReadIntentVolumes, KeepsTheListsApart) {
+  Volume4d nominal;
+  nominal.outline.centre = {48, 16, 0};
+  nominal.outline.radius = 3;
+  Volume4d off = nominal;
+  off.outline.radius = 5;
+  const std::string text =
+      operational_intent_details(std::vector{nominal}, 7, std::vector{off, off});
+  std::istringstream in(text);
+  const IntentVolumes read_both = read_intent_volumes(in, "v.json");
+  ASSERT_EQ(read_both.nominal.size(), 1u);
+  ASSERT_EQ(read_both.off_nominal.size(), 2u);
+  EXPECT_EQ(read_both.nominal[0].outline.radius, 3);
+  EXPECT_EQ(read_both.off_nominal[1].outline.radius, 5);
+  EXPECT_EQ(read(text).size(), 3u);
+  const std::string only_off = operational_intent_details({}, {}, std::vector{off});
+  EXPECT_EQ(read(only_off).size(), 1u);
+}
+
 }  // namespace
 }  // namespace geom

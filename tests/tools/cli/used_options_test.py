@@ -16,7 +16,7 @@ wrong = []
 # Of no format: what a run tells and how it runs; and what allows or insists, which changes nothing where nothing is asked for.
 ANY = {"--help", "--version", "--threads", "--progress", "--stats", "--quiet", "--output", "--format", "--file-format",
        "--paths-csv", "--shard", "--memory", "--allow-skipped", "--override", "--map", "--id", "--unchecked", "--vehicle",
-       "--crs", "--plan", "--tube", "--certificate", "--profile", "--profile-step", "--junit", "--moving", "--show", "--metres"}
+       "--crs", "--plan", "--tube", "--certificate", "--profile", "--profile-step", "--junit", "--moving", "--contingencies", "--show", "--metres"}
 
 # A value that is not the default and suits the samples; None: a flag.
 VALUES = {
@@ -36,6 +36,8 @@ VALUES = {
     "--report": "text", "--exact": None, "--no-clearance": None, "--together": None, "--separation": "9,4", "--separation-box": "3,3,3",
     "--downwash": "1,2", "--parked": "gone", "--rate": "20", "--speed": "0.7", "--hover": None, "--wpml-version": "1.0.2",
     "--aircraft": "m30", "--lost-link": "continue", "--gimbal": "-45", "--label-by": "object", "--turns": "3", "--volumes": "3", "--buffer": "2", "--python": "x.py", "--table": "x.csv",
+    "--return": "rtl", "--rally": "30,5,10", "--rally-out": "x.rally", "--fence": "auto", "--fence-budget": "20", "--fence-out": "x.fence", "--params-out": "x.params",
+    "--procedure": "x.txt",
 }
 # Where the same word means another thing.
 OF_TOOL = {"skyway-check": {"--vmax": "1", "--amax": "2"}, "skyway-cloud": {"--origin": "37.79,-122.39"},

@@ -28,11 +28,12 @@ const std::vector<std::string>& option_names() {
   return names;
 }
 
-// What says how an autopilot returns, from records too.
-bool counts_with_return(std::string_view option) {
-  constexpr std::string_view kAll[] = {"--return-height", "--autopilot", "--params", "--drag",
-                                       "--navigation"};
-  return std::find(std::begin(kAll), std::end(kAll), option) != std::end(kAll);
+// What says how an autopilot brakes and returns, from records too.
+std::vector<const char*> also_with(std::string_view option) {
+  constexpr std::string_view kBraking[] = {"--autopilot", "--params", "--drag", "--navigation"};
+  if (option == "--return-height") return {"--return"};
+  if (std::find(std::begin(kBraking), std::end(kBraking), option) == std::end(kBraking)) return {};
+  return {"--return", "--contingencies"};
 }
 
 // What the tools that read drone files take.
@@ -40,7 +41,7 @@ const std::vector<FormatOption>& reading_options() {
   static const std::vector<FormatOption> rows = [] {
     auto out = file_option_rows(&traj::MissionFormat::reads_with);
     for (FormatOption& row : out) {
-      if (counts_with_return(row.option)) row.with = "--return";
+      row.with = also_with(row.option);
     }
     FormatOption& metres =
         out.emplace_back(FormatOption{"--metres", {kRecordsWord, kFlightLogWord}});

@@ -67,7 +67,8 @@ constexpr Page kPages[] = {
     {"skyway-plan",
      "skyway-import data/downtown.csv | skyway-plan - --vehicle tello --from=-372,-149,12 "
      "--to=-205,-292,40 -o path.jsonl",
-     "--from --to --queries --roadmap --lattice --output --certificate --vehicle --margin --method "
+     "--from --to --queries --home --roadmap --lattice --output --certificate --vehicle --margin "
+     "--method "
      "--quality --snap-ends --bound --seed --threads"},
     {"skyway-plot", "skyway-plot profile data/samples/trajectories.jsonl --id north -o profile.svg",
      ""},

@@ -15,11 +15,16 @@ void require_used(const CLI::App& app, std::span<const FormatOption> table, std:
     if (!app.get_option_no_throw(row.option)) continue;
     const bool read =
         std::find(row.formats.begin(), row.formats.end(), format) != row.formats.end();
-    const CLI::Option* with = row.with ? app.get_option_no_throw(row.with) : nullptr;
-    const bool used = read || (with && with->count() > 0);
+    std::string others;  // " or with --return"
+    bool used = read;
+    for (const char* with : row.with) {
+      const CLI::Option* other = app.get_option_no_throw(with);
+      if (!other) continue;
+      others += fmt::format(" or with {}", with);
+      used = used || other->count() > 0;
+    }
     only_for(app, used, {row.option},
-             fmt::format("{} files{}{} ({})", fmt::join(row.formats, ", "),
-                         with ? " or with " : "", with ? row.with : "", because));
+             fmt::format("{} files{} ({})", fmt::join(row.formats, ", "), others, because));
   }
 }
 

@@ -29,7 +29,7 @@ void add_format(CLI::App& app, geom::FormatRows<Row> table, const Row*& format) 
 struct FormatOption {
   const char* option;                     // "--where"
   std::vector<std::string_view> formats;  // that use it, by the tool's own words
-  const char* with = nullptr;             // an option beside which every format uses it
+  std::vector<const char*> with = {};     // options beside any of which every format uses it
 };
 
 // Throws UsageError where the command line has an option of the table that this format does not

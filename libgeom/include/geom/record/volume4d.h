@@ -45,8 +45,19 @@ struct Volume4d {
 // a row, and a ring whose last is its first. A member that is null is absent.
 std::vector<Volume4d> read_volumes_4d(std::istream& in, std::string_view source);
 
+// What an operational intent says of space and time: where the flight will be, and where it may be
+// if something goes wrong.
+struct IntentVolumes {
+  std::vector<Volume4d> nominal;
+  std::vector<Volume4d> off_nominal;
+};
+
+// The same, both lists apart; of what has no such lists, all are nominal.
+IntentVolumes read_intent_volumes(std::istream& in, std::string_view source);
+
 // The details of an operational intent: JSON, a volume a line. Numbers come back as they are.
 std::string operational_intent_details(std::span<const Volume4d> volumes,
-                                       std::optional<int> priority);
+                                       std::optional<int> priority,
+                                       std::span<const Volume4d> off_nominal = {});
 
 }  // namespace geom

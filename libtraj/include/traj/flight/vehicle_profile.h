@@ -17,6 +17,7 @@
 #include "geom/shape/polygon.h"
 #include "geom/vehicle/vehicle.h"
 #include "traj/flight/airframe.h"
+#include "traj/flight/energy.h"
 
 namespace traj {
 
@@ -26,6 +27,7 @@ struct VehicleProfile {
   std::optional<geom::Vec3> body;  // half sizes, m, that the box holds up to vehicle's tilt limit
   // m across, and up or down: how wrong it may be about where it is
   std::optional<geom::Vec2> navigation = {};
+  std::optional<Energy> energy = {};  // where it says so
 };
 
 // Throws geom::InputError(source, line, …) for a key that is not known: a limit under a name that
@@ -33,7 +35,7 @@ struct VehicleProfile {
 VehicleProfile parse_vehicle_profile(std::string_view json, std::string_view source);
 
 // A profile of data/vehicles, which every program carries, by the file's name without ".json":
-// "tello". Nothing for another name.
+// "tello", or by one that the profile has in "also": "m3t". Nothing for another name.
 std::optional<VehicleProfile> vehicle_named(std::string_view name);
 std::vector<std::string_view> vehicle_names();  // in alphabetical order
 

@@ -47,6 +47,19 @@ struct ReturnTask {
 ReturnReport prove_return(const geom::CollisionScene& scene,
                           std::span<const std::vector<FlightStage>> stages, const ReturnTask& task);
 
+// A region of a return that is proved, and the metres along each axis beside it for which it is,
+// the scene's half sizes left out.
+struct ProvedReturn {
+  ReturnSweep sweep;
+  FlightPart part;
+  Vec3 beside = Vec3::Zero();
+};
+
+// The regions of all returns that prove_return() proves, from every stage.
+std::vector<ProvedReturn> proved_returns(const geom::CollisionScene& scene,
+                                         std::span<const std::vector<FlightStage>> stages,
+                                         const ReturnTask& task);
+
 // A return height, m above home, and the share of the time from which returns at it are proved.
 struct ReturnHeight {
   double height = 0;

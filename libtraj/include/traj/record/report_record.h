@@ -26,9 +26,12 @@
 
 namespace traj {
 
+// `checked` of the ways home of a flight (traj/home/check_contingencies.h).
+inline constexpr std::string_view kCheckedContingency = "contingency";
+
 struct ReportRecord {
   std::string id;
-  std::string checked;  // "trajectory" or "path"
+  std::string checked;  // "trajectory", "path" or kCheckedContingency
   CheckResult result;   // a record that holds nothing to check has only `reason`
   geom::Provenance provenance;
   Limits limits;                        // those it was held to

@@ -41,6 +41,10 @@ std::string advice_for(const ReportRecord& report);
 // much. Of a refused one: fault, item of a mission, time, place, and what to do.
 std::string in_words(const ReportRecord& report, const geom::BoxMap& map);
 
+// A time without a proved return: "from 12.3 s to 15.2 s no way home is proved: in the climb the
+// vehicle meets obstacle 7, near …".
+std::string in_words(const ReturnGap& gap, const geom::BoxMap& map);
+
 // Of a simulated flight, over `map` where there is one.
 std::string in_words(const FlightReport& report, const geom::BoxMap* map);
 

@@ -10,6 +10,7 @@
 #include "geom/base/rounding.h"
 #include "geom/shape/convex_outline.h"
 #include "geom/text/instant.h"
+#include "traj/mission/airspace/volume_around.h"
 #include "window.h"
 
 namespace traj {
@@ -17,11 +18,7 @@ namespace {
 
 using geom::Vec2;
 
-constexpr double kDegrees = 1e9;       // parts of a degree that are written
-constexpr double kCentimetres = 100;   // parts of a metre of altitude
-constexpr double kRounding = 1e-3;     // m: more than those parts and the check's own reserve
 constexpr double kLeastArea = 1e-300;  // so that no volume costs nothing
-constexpr int kMostAttempts = 8;       // at an outline, each wider than the one before
 
 // What a flight is in for a while, in metres.
 struct Prism {
@@ -74,7 +71,7 @@ std::vector<std::string> instants_of(const FlightOnEarth& flight, double end,
 class Volumes {
  public:
   Volumes(const FlightOnEarth& flight, std::string_view source)
-      : flight_(flight), source_(source), line_(flight.flight), earth_(flight.origin) {
+      : flight_(flight), source_(source), line_(flight.flight) {
     instants_ = instants_of(flight, seconds_not_below(line_.joint.back()), source);
     for (const std::string& instant : instants_) {
       times_.push_back(geom::seconds_between(flight.epoch, instant));
@@ -157,64 +154,16 @@ class Volumes {
   geom::Volume4d volume(std::size_t from, std::size_t to) const {
     Prism prism = parts_[from];
     for (std::size_t i = from + 1; i < to; ++i) prism.add(parts_[i]);
-    geom::Volume4d out;
-    out.outline.ring = ring_around(prism.outline);
-    const double height = flight_.origin.height;
-    out.lower = std::floor((prism.low + height - kRounding) * kCentimetres) / kCentimetres;
-    out.upper = std::ceil((prism.high + height + kRounding) * kCentimetres) / kCentimetres;
+    geom::Volume4d out =
+        volume_around({prism.outline, prism.low, prism.high}, flight_.origin, source_);
     out.start = instants_[from];
     out.end = instants_[to];
     return out;
   }
 
-  // Further out by what its edges may bend (geom::outline_on_map), which follows from their length.
-  std::vector<geom::GeodeticPlace> ring_around(const std::vector<Vec2>& outline) const {
-    double out = kRounding;
-    geom::GeodeticOutline made;
-    for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
-      made.ring = ring_around(outline, out);
-      const double bulge =
-          geom::outline_on_map(made, flight_.origin, geom::CircleSide::within, "a volume", source_)
-              .bulge;
-      if (bulge + kRounding <= out) break;
-      out = 1.01 * (bulge + kRounding);
-    }
-    return made.ring;
-  }
-
-  // Further out along each axis, in degrees as they are written, and convex where these lie:
-  // rounded after it was made convex, a side that is all but straight would be dented.
-  std::vector<geom::GeodeticPlace> ring_around(const std::vector<Vec2>& outline, double out) const {
-    std::vector<geom::GeodeticPlace> places;
-    std::vector<Vec2> points;
-    for (const Vec2& p : outline) {
-      for (const Vec2& corner :
-           {Vec2(out, out), Vec2(-out, out), Vec2(out, -out), Vec2(-out, -out)}) {
-        places.push_back(rounded(p + corner));
-        Vec2& at = points.emplace_back();
-        earth_.from_geodetic(places.back().latitude, places.back().longitude, at.x(), at.y());
-      }
-    }
-    std::vector<geom::GeodeticPlace> ring;
-    for (const Vec2& p : geom::convex_outline(points)) {
-      const auto at = std::find(points.begin(), points.end(), p) - points.begin();
-      ring.push_back(places[static_cast<std::size_t>(at)]);
-    }
-    return ring;
-  }
-
-  geom::GeodeticPlace rounded(const Vec2& p) const {
-    geom::GeodeticPlace place;
-    earth_.to_geodetic(p.x(), p.y(), place.latitude, place.longitude);
-    place.latitude = std::round(place.latitude * kDegrees) / kDegrees;
-    place.longitude = std::round(place.longitude * kDegrees) / kDegrees;
-    return place;
-  }
-
   const FlightOnEarth& flight_;
   std::string_view source_;
   Timeline line_;
-  geom::GeographicFrame earth_;
   std::vector<std::string> instants_;
   std::vector<geom::SecondsBetween> times_;
   std::vector<Prism> parts_;

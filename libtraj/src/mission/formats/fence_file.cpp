@@ -21,7 +21,9 @@ bool is_fence_text(std::string_view head) {
   bool fence = false;
   for (std::size_t at = head.find('\n'); at < head.size(); at = head.find('\n', at + 1)) {
     std::size_t field = at + 1;
-    for (int i = 0; i < 3; ++i) field = head.find('\t', std::min(field, head.size())) + 1;
+    for (int i = 0; i < 3 && field > 0; ++i) {
+      field = head.find('\t', std::min(field, head.size())) + 1;
+    }
     if (field == 0 || field >= head.size()) break;
     const std::string_view command = head.substr(field, 5);
     if (!fence && head.substr(at + 1).starts_with("0\t") && command.starts_with("16\t")) continue;

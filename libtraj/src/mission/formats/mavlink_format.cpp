@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "geom/map/geographic_frame.h"
 #include "geom/text/counted.h"
 
 namespace traj {
@@ -90,8 +92,27 @@ ReadFlights fly_mission(const Mission& mission, const ReadTask& task) {
   return {{{FlownMission(std::move(flown))}}, std::move(notes)};
 }
 
+namespace {
+
+// Rally points as the file will hold them: whole 1e-7 degrees, heights above home in millimetres.
+std::vector<geom::GeodeticPlace> rally_of(const MissionTask& task,
+                                          const geom::GeodeticOrigin& origin) {
+  const geom::GeographicFrame earth(origin);
+  std::vector<geom::GeodeticPlace> out;
+  for (const Vec3& place : task.options.rally) {
+    const Vec3 enu = geom::to_enu(task.frame.axes, place);
+    geom::GeodeticPlace& rally = out.emplace_back(earth.place(enu));
+    rally.latitude = std::round(rally.latitude * 1e7) / 1e7;
+    rally.longitude = std::round(rally.longitude * 1e7) / 1e7;
+    rally.height = std::round((enu.z() - task.ground) * 1e3) / 1e3;
+  }
+  return out;
+}
+
+}  // namespace
+
 WrittenMission write_mission(const MissionTask& task, const geom::Polyline& legs,
-                             std::string (*write)(const Mission&, const MissionTask&)) {
+                             WrittenMission (*write)(const Mission&, const MissionTask&)) {
   MissionOptions options;
   options.home = task.ground;
   if (task.options.lands) options.landing_on = task.landing;
@@ -101,8 +122,10 @@ WrittenMission write_mission(const MissionTask& task, const geom::Polyline& legs
   options.slowing = slowing_way(task, options.speed.value_or(0));
   const MissionFrame over = task.options.placement.mission_frame(task.frame);
   require_near_origin(legs, over.origin, task.flight->id);
-  const Mission mission = make_mission(legs, over, options);
-  WrittenMission written{write(mission, task)};
+  Mission mission = make_mission(legs, over, options);
+  mission.fences = task.options.fences;
+  mission.rally = rally_of(task, over.origin);
+  WrittenMission written = write(mission, task);
   for (const MissionItem& item : mission.items) written.points.push_back(item.point);
   written.reading.placement = placement_to_read(task, over);
   for (const Autopilot& one : task.options.flier.autopilots) {

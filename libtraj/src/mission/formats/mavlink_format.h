@@ -15,17 +15,21 @@ inline constexpr FileOptionSet kMavlinkReading{
     FileOption::terrain, FileOption::acceptance, FileOption::braking,   FileOption::autopilot,
     FileOption::params,  FileOption::drag,       FileOption::navigation};
 inline constexpr FileOptionSet kMavlinkWriting{
-    FileOption::tolerance, FileOption::speed,     FileOption::hover,     FileOption::ground,
-    FileOption::origin,    FileOption::geoid,     FileOption::autopilot, FileOption::params,
-    FileOption::drag,      FileOption::navigation};
+    FileOption::tolerance,  FileOption::speed,         FileOption::hover,
+    FileOption::ground,     FileOption::origin,        FileOption::geoid,
+    FileOption::autopilot,  FileOption::params,        FileOption::drag,
+    FileOption::navigation, FileOption::return_height, FileOption::rally,
+    FileOption::fence,      FileOption::fence_budget,  FileOption::params_out,
+    FileOption::procedure};
 
 inline constexpr double kMissionRounding = 0.03;  // m: MissionFormat::rounding
 
 ReadFlights fly_mission(const Mission& mission, const ReadTask& task);
 
-// `write` gives the text of the mission.
+// `write` gives the texts of the mission.
 WrittenMission write_mission(const MissionTask& task, const geom::Polyline& legs,
-                             std::string (*write)(const Mission& mission, const MissionTask& task));
+                             WrittenMission (*write)(const Mission& mission,
+                                                     const MissionTask& task));
 
 // At first no waypoint is a rest, but where the path has so many that trying each would take long.
 void pass_all(MissionTask& task, const geom::Polyline& legs);
@@ -34,11 +38,13 @@ void pass_all(MissionTask& task, const geom::Polyline& legs);
 // slows down.
 bool rest_or_slow_down(const WrittenMission& written, const CheckResult& result, MissionTask& task);
 
-// The row of a format of MAVLink missions, with all that they share.
+// The row of a format of MAVLink missions, with all that they share. `further`: what else may be
+// said beside one that is written.
 constexpr MissionFormat mavlink_format(const geom::Format& format,
                                        decltype(MissionFormat::may_be) may_be,
                                        decltype(MissionFormat::read) read,
-                                       decltype(MissionFormat::write) write) {
+                                       decltype(MissionFormat::write) write,
+                                       FileOptionSet further = {}) {
   return {.format = format,
           .may_be = may_be,
           .read = read,
@@ -46,7 +52,7 @@ constexpr MissionFormat mavlink_format(const geom::Format& format,
           .prepare = pass_all,
           .mend = rest_or_slow_down,
           .reads_with = kMavlinkReading,
-          .writes_with = kMavlinkWriting,
+          .writes_with = kMavlinkWriting.with(further),
           .has_legs = true,
           .rounding = kMissionRounding,
           .heights = FileHeights::above_home};

@@ -58,6 +58,37 @@ Json item_json(const MissionItem& item, std::size_t number) {
   return json;
 }
 
+// [latitude, longitude]
+Json corner_json(const geom::GeodeticPlace& place) {
+  return Json::array({place.latitude, place.longitude});
+}
+
+Json fences_json(const Mission& mission) {
+  Json circles = Json::array();
+  Json polygons = Json::array();
+  for (const GeodeticFence& fence : mission.fences) {
+    if (fence.ring.empty()) {
+      circles.push_back(
+          {{"circle", {{"center", corner_json(fence.centre)}, {"radius", fence.radius}}},
+           {"inclusion", fence.inclusion},
+           {"version", 1}});
+      continue;
+    }
+    Json ring = Json::array();
+    for (const geom::GeodeticPlace& place : fence.ring) ring.push_back(corner_json(place));
+    polygons.push_back({{"inclusion", fence.inclusion}, {"polygon", ring}, {"version", 1}});
+  }
+  return {{"circles", circles}, {"polygons", polygons}, {"version", 2}};
+}
+
+Json rally_json(const Mission& mission) {
+  Json points = Json::array();
+  for (const geom::GeodeticPlace& place : mission.rally) {
+    points.push_back(Json::array({place.latitude, place.longitude, place.height}));
+  }
+  return {{"points", points}, {"version", 2}};
+}
+
 struct PlanReader {
   std::string_view source;
 
@@ -347,21 +378,20 @@ void write_qgc_plan(std::ostream& out, const Mission& mission, std::string_view 
     items.push_back(item_json(item, items.size() + 1));
   }
   const geom::GeodeticPlace home = mission.home.value_or(geom::GeodeticPlace{});
-  const Json plan = {
-      {"fileType", "Plan"},
-      {"geoFence", {{"circles", Json::array()}, {"polygons", Json::array()}, {"version", 2}}},
-      {"groundStation", std::string(station)},
-      {"mission",
-       {{"cruiseSpeed", speed},
-        {"firmwareType", kGenericFirmware},
-        {"globalPlanAltitudeMode", 1},
-        {"hoverSpeed", speed},
-        {"items", items},
-        {"plannedHomePosition", {home.latitude, home.longitude, home.height}},
-        {"vehicleType", kQuadrotor},
-        {"version", 2}}},
-      {"rallyPoints", {{"points", Json::array()}, {"version", 2}}},
-      {"version", 1}};
+  const Json plan = {{"fileType", "Plan"},
+                     {"geoFence", fences_json(mission)},
+                     {"groundStation", std::string(station)},
+                     {"mission",
+                      {{"cruiseSpeed", speed},
+                       {"firmwareType", kGenericFirmware},
+                       {"globalPlanAltitudeMode", 1},
+                       {"hoverSpeed", speed},
+                       {"items", items},
+                       {"plannedHomePosition", {home.latitude, home.longitude, home.height}},
+                       {"vehicleType", kQuadrotor},
+                       {"version", 2}}},
+                     {"rallyPoints", rally_json(mission)},
+                     {"version", 1}};
   out << plan.dump(1) << '\n';
 }
 
@@ -381,7 +411,7 @@ WrittenMission write(const MissionTask& task, const geom::Polyline& legs) {
   return write_mission(task, legs, [](const Mission& mission, const MissionTask& of) {
     std::ostringstream text;
     write_qgc_plan(text, mission, of.checked ? "skyway" : "skyway (UNCHECKED)");
-    return text.str();
+    return WrittenMission{text.str()};
   });
 }
 

@@ -70,7 +70,9 @@ constinit const MissionFormat kVolume4d{
     .format = {.word = "volume4d", .what = "volumes of airspace (ASTM F3548)"},
     .prove = prove,
     .unfit = unfit,
-    .writes_with = {FileOption::origin, FileOption::volumes, FileOption::buffer},
+    .writes_with = {FileOption::origin, FileOption::volumes, FileOption::buffer,
+                    FileOption::returns, FileOption::return_height, FileOption::autopilot,
+                    FileOption::params, FileOption::drag, FileOption::navigation},
     .says_when = true};
 
 }  // namespace traj

@@ -265,6 +265,48 @@ void write_wpl(std::ostream& out, const Mission& mission) {
   out << text;
 }
 
+namespace {
+
+void append_home(std::string& text, const Mission& mission) {
+  const geom::GeodeticPlace home = mission.home.value_or(geom::GeodeticPlace{});
+  append_item(text, 0, {kGlobal, kWaypoint, {}, home.latitude, home.longitude, home.height, 0});
+}
+
+}  // namespace
+
+void write_wpl_fences(std::ostream& out, const Mission& mission) {
+  std::string text = "QGC WPL 110\n";
+  append_home(text, mission);
+  std::size_t index = 1;
+  for (const GeodeticFence& fence : mission.fences) {
+    const bool circle = fence.ring.empty();
+    const std::vector<geom::GeodeticPlace> places = circle ? std::vector{fence.centre} : fence.ring;
+    const auto& commands = circle ? kFenceCircles : kFenceCorners;
+    const double param = circle ? fence.radius : static_cast<double>(places.size());
+    for (const geom::GeodeticPlace& place : places) {
+      append_item(text, index++,
+                  {kGlobalRelative,
+                   commands[fence.inclusion ? 0 : 1],
+                   {param},
+                   place.latitude,
+                   place.longitude,
+                   0});
+    }
+  }
+  out << text;
+}
+
+void write_wpl_rally(std::ostream& out, const Mission& mission) {
+  std::string text = "QGC WPL 110\n";
+  append_home(text, mission);
+  std::size_t index = 1;
+  for (const geom::GeodeticPlace& place : mission.rally) {
+    append_item(text, index++,
+                {kGlobalRelative, kRallyPoint, {}, place.latitude, place.longitude, place.height});
+  }
+  out << text;
+}
+
 Mission read_wpl(std::istream& in, std::string_view source) {
   WplReader reader(in, source);
   Mission mission = reader.read();
@@ -276,13 +318,25 @@ std::vector<GeodeticFence> read_wpl_fences(std::istream& in, std::string_view so
   return WplReader(in, source).read().fences;
 }
 
+std::vector<geom::GeodeticPlace> read_wpl_rally(std::istream& in, std::string_view source) {
+  return WplReader(in, source).read().rally;
+}
+
 namespace {
+
+template <class Write>
+std::string text_of(const Write& write, const Mission& mission) {
+  std::ostringstream text;
+  write(text, mission);
+  return text.str();
+}
 
 WrittenMission write(const MissionTask& task, const geom::Polyline& legs) {
   return write_mission(task, legs, [](const Mission& mission, const MissionTask&) {
-    std::ostringstream text;
-    write_wpl(text, mission);
-    return text.str();
+    WrittenMission written{text_of(write_wpl, mission)};
+    if (!mission.fences.empty()) written.fences = text_of(write_wpl_fences, mission);
+    if (!mission.rally.empty()) written.rally = text_of(write_wpl_rally, mission);
+    return written;
   });
 }
 
@@ -300,6 +354,6 @@ constinit const MissionFormat kWpl = mavlink_format(
     [](std::istream& in, const ReadTask& task) {
       return fly_mission(read_wpl(in, task.source), task);
     },
-    write);
+    write, {FileOption::fence_out, FileOption::rally_out});
 
 }  // namespace traj

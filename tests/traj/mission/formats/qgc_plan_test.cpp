@@ -165,5 +165,23 @@ TEST(QgcPlan, PassesOverWordsAndNumbersThatItDoesNotKnow) {
             "mission, rallyPoints, version, found \"zones\"");
 }
 
+TEST(QgcPlan, FencesAndRallyPointsComeBack) {
+  Mission mission = make_mission(kPoints, kFrame, mission_options());
+  mission.fences.push_back({true, {{47, 8, 0}, {47.001, 8, 0}, {47.001, 8.0000001, 0}}, {}, 0});
+  mission.fences.push_back({false, {}, {47.0005, 8.0001, 0}, 12.5});
+  mission.rally.push_back({47.0002, 8.0003, 30.125});
+  std::stringstream file;
+  write_qgc_plan(file, mission, "test");
+  const Mission read = read_qgc_plan(file, "m.plan");
+  const std::vector<GeodeticFence>& back = read.fences;
+  ASSERT_EQ(back.size(), 2u);
+  EXPECT_FALSE(back[0].inclusion) << "circles come first";
+  EXPECT_EQ(back[0].centre, mission.fences[1].centre);
+  EXPECT_EQ(back[0].radius, 12.5);
+  EXPECT_TRUE(back[1].inclusion);
+  EXPECT_EQ(back[1].ring, mission.fences[0].ring);
+  EXPECT_EQ(read.rally, mission.rally);
+}
+
 }  // namespace
 }  // namespace traj

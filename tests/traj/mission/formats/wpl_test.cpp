@@ -205,5 +205,25 @@ TEST(Wpl, TakesZerosForNoHome) {
             "point");
 }
 
+TEST(Wpl, FencesAndRallyPointsComeBackFromFilesOfTheirOwn) {
+  Mission mission = every_item();
+  mission.fences.push_back({true, {{47, 8, 0}, {47.001, 8, 0}, {47.001, 8.0000001, 0}}, {}, 0});
+  mission.fences.push_back({false, {}, {47.0005, 8.0001, 0}, 12.5});
+  mission.rally.push_back({47.0002, 8.0003, 30.125});
+  std::stringstream of_fences;
+  write_wpl_fences(of_fences, mission);
+  const auto back = read_wpl_fences(of_fences, "fence.waypoints");
+  ASSERT_EQ(back.size(), 2u);
+  EXPECT_TRUE(back[0].inclusion);
+  EXPECT_EQ(back[0].ring, mission.fences[0].ring);
+  EXPECT_FALSE(back[1].inclusion);
+  EXPECT_TRUE(back[1].ring.empty());
+  EXPECT_EQ(back[1].centre, mission.fences[1].centre);
+  EXPECT_EQ(back[1].radius, 12.5);
+  std::stringstream of_rally;
+  write_wpl_rally(of_rally, mission);
+  EXPECT_EQ(read_wpl_rally(of_rally, "rally.waypoints"), mission.rally);
+}
+
 }  // namespace
 }  // namespace traj

@@ -7,6 +7,7 @@
 //   static_assert(set.has(traj::FileOption::speed) && !set.has(traj::FileOption::rate));
 
 #include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 
 #include "geom/text/words.h"
@@ -44,9 +45,17 @@ enum class FileOption {
   gimbal,
   show,
   volumes,
-  buffer
+  buffer,
+  returns,
+  rally,
+  rally_out,
+  fence,
+  fence_budget,
+  fence_out,
+  params_out,
+  procedure
 };
-inline constexpr std::size_t kFileOptions = 31;
+inline constexpr std::size_t kFileOptions = 39;
 
 // As the tools' options name them, without "--".
 inline constexpr geom::Words<FileOption, kFileOptions> kFileOptionWords{{
@@ -81,6 +90,14 @@ inline constexpr geom::Words<FileOption, kFileOptions> kFileOptionWords{{
     {FileOption::show, "show"},
     {FileOption::volumes, "volumes"},
     {FileOption::buffer, "buffer"},
+    {FileOption::returns, "return"},
+    {FileOption::rally, "rally"},
+    {FileOption::rally_out, "rally-out"},
+    {FileOption::fence, "fence"},
+    {FileOption::fence_budget, "fence-budget"},
+    {FileOption::fence_out, "fence-out"},
+    {FileOption::params_out, "params-out"},
+    {FileOption::procedure, "procedure"},
 }};
 
 // A set of them.
@@ -90,11 +107,17 @@ class FileOptionSet {
   constexpr FileOptionSet(std::initializer_list<FileOption> options) {
     for (const FileOption one : options) bits_ |= bit(one);
   }
+  constexpr FileOptionSet with(FileOptionSet others) const {
+    others.bits_ |= bits_;
+    return others;
+  }
   constexpr bool has(FileOption option) const { return (bits_ & bit(option)) != 0; }
 
  private:
-  static constexpr unsigned bit(FileOption option) { return 1u << static_cast<int>(option); }
-  unsigned bits_ = 0;
+  static constexpr std::uint64_t bit(FileOption option) {
+    return std::uint64_t{1} << static_cast<int>(option);
+  }
+  std::uint64_t bits_ = 0;
 };
 
 }  // namespace traj

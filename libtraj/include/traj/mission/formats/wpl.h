@@ -20,6 +20,11 @@ namespace traj {
 // index, current, frame, command, four parameters, latitude, longitude, altitude, autocontinue.
 void write_wpl(std::ostream& out, const Mission& mission);
 
+// Its fences, and its rally points, each as a file of its own, as ArduPilot's ground stations load
+// them: home as item 0, then corners of fences (5001 to 5004) or rally points (5100).
+void write_wpl_fences(std::ostream& out, const Mission& mission);
+void write_wpl_rally(std::ostream& out, const Mission& mission);
+
 // Version 110: item 0 is home where it is a waypoint in frame 0; 120: no item is. Lines may end
 // with CRLF, and the file may begin with a byte order mark; `#` begins a comment. Items may begin
 // at 1 and leave numbers out, as ground stations count them anew (a note says so), but not where a
@@ -31,7 +36,8 @@ void write_wpl(std::ostream& out, const Mission& mission);
 // FlownMission::ended).
 Mission read_wpl(std::istream& in, std::string_view source);
 
-// Its fences alone; a file without a mission will do.
+// Its fences alone, and its rally points; a file without a mission will do.
 std::vector<GeodeticFence> read_wpl_fences(std::istream& in, std::string_view source);
+std::vector<geom::GeodeticPlace> read_wpl_rally(std::istream& in, std::string_view source);
 
 }  // namespace traj

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "traj/mission/dji/dji_mission.h"
+#include "traj/mission/flown/fence.h"
 #include "traj/mission/formats/crazyflie.h"
 #include "traj/mission/formats/export_flight.h"
 #include "traj/mission/formats/reading.h"
@@ -38,6 +39,8 @@ struct ExportOptions {
   std::size_t volumes = 8;           // of airspace, at most
   double buffer = 0;                 // m around the vehicle and its margin, of volumes of airspace
   bool says_when = false;            // a file beside this one says when the flight begins
+  std::vector<GeodeticFence> fences = {};  // of a mission
+  std::vector<Vec3> rally = {};            // likewise, in the air, in the map's axes
 };
 
 // All that the file of one flight is made of. The format and the flight are not owned.
@@ -65,12 +68,16 @@ struct MissionEstimate {
 };
 
 struct WrittenMission {
-  std::string text;                             // the bytes of the file
-  std::string python = {};                      // of a Tello: a program, and
-  std::string csv = {};                         // a table, for those who ask for them
-  std::vector<std::size_t> points = {};         // of a mission: the path's point of each item
-  MissionReading reading = {};                  // what it takes to read the text again
-  std::string note = {};                        // what is not as asked; empty: all is
+  std::string text;         // the bytes of the file
+  std::string python = {};  // of a Tello: a program, and
+  std::string csv = {};     // a table, for those who ask for them
+  std::string fences = {};  // of a mission without room for them: a file each
+  std::string rally = {};
+  std::string params = {};               // the autopilot's parameters, for those who ask for them
+  std::string procedure = {};            // what happens if the link is lost, in words, likewise
+  std::vector<std::size_t> points = {};  // of a mission: the path's point of each item
+  MissionReading reading = {};           // what it takes to read the text again
+  std::string note = {};                 // what is not as asked; empty: all is
   std::vector<MissionEstimate> estimates = {};  // of legs: one a vehicle that may fly them
   std::optional<CrazyflieMemory> memory = {};   // of a Crazyflie
 };
@@ -80,6 +87,9 @@ bool knows_height(const MissionTask& task);
 
 // The largest speed that they allow in every direction, m/s.
 std::optional<double> speed_limit(const Limits& limits);
+// The same for the legs of a file. A vehicle that climbs and sinks no faster than the limits allow,
+// whatever the file asks for (MissionFormat::climbs_at_most), leaves its vertical limit out.
+std::optional<double> speed_along_legs(const MissionTask& task);
 
 // "UNCHECKED: not compared with any map", or nothing.
 std::string unchecked_note(const MissionTask& task);

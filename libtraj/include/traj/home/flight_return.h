@@ -1,0 +1,35 @@
+#pragma once
+
+// What proving a return takes of a flight: stages and a model for each autopilot, and the places.
+//
+// Example:
+//   const traj::FlightReturn of = traj::flight_return(scene, trajectory, {}, 60);
+//   const traj::ReturnReport proof = traj::prove_return(scene, of.stages, of.task);
+
+#include <optional>
+#include <vector>
+
+#include "geom/collision/collision.h"
+#include "traj/home/return_proof.h"
+#include "traj/mission/flown/flown.h"
+#include "traj/mission/formats/flier.h"
+
+namespace traj {
+
+struct FlightReturn {
+  std::vector<std::vector<FlightStage>> stages;  // one list for each of the task's models
+  ReturnTask task;
+};
+
+// As each autopilot of the flier that loads the mission may fly it, to the mission's home or one of
+// its rally points, within its fences. `height`: m above home, in place of the autopilots' own. The
+// mission knows its home (precondition).
+FlightReturn flight_return(const FlownMission& mission, const Flier& flier,
+                           const std::optional<double>& height);
+
+// From every instant of a trajectory, in the axes of the scene's map, to the ground below its
+// beginning, by each autopilot of the flier.
+FlightReturn flight_return(const geom::CollisionScene& scene, const Trajectory& trajectory,
+                           const Flier& flier, const std::optional<double>& height);
+
+}  // namespace traj

@@ -1,0 +1,47 @@
+#pragma once
+
+// A flight of a stream of records and the autopilots that may fly it, as ways home see them.
+//
+// Example:
+//   const geom::PathRecord record{.id = "q1", .status = geom::PathStatus::found, .points = path};
+//   const std::vector<traj::FlightStage> stages = traj::stages_of(record, 5);  // m/s
+//   assert(stages.size() == path.size() - 1);
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geom/record/record.h"
+#include "geom/text/json_fields.h"
+#include "traj/home/flight_stage.h"
+#include "traj/home/return_model.h"
+#include "traj/mission/formats/flier.h"
+
+namespace traj {
+
+struct HomeFlight {
+  std::string id;
+  geom::Provenance provenance;
+  std::vector<FlightStage> stages;  // empty: there is no flight
+  std::string without = {};         // why not, in words
+
+  // One for each stage.
+  std::vector<Vec3> places() const;
+};
+
+// Of a record of a trajectory, or of a path that is flown with `vmax`, m/s; without it with what
+// its vehicle's limits allow. Throws InputError for what is no such record, and UsageError for a
+// path whose speed nobody says.
+HomeFlight read_home_flight(const geom::JsonFields& fields, const std::optional<double>& vmax);
+
+// A stage for each leg, which lasts its length over `speed` (m/s, > 0), and one for each hold.
+std::vector<FlightStage> stages_of(const geom::PathRecord& path, double speed);
+
+// Those of the flier, which are as far off as it may be wrong about its place, too.
+std::vector<ReturnModel> return_models(const Flier& flier);
+
+// The margin that holds how far the models may be off, m.
+double least_margin(std::span<const ReturnModel> models);
+
+}  // namespace traj

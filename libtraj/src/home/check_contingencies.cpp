@@ -1,0 +1,167 @@
+#include "traj/home/check_contingencies.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "home/braking.h"
+#include "home/clear_region.h"
+#include "home/way_room.h"
+#include "home/way_time.h"
+#include "traj/home/landing_site.h"
+
+namespace traj {
+namespace {
+
+constexpr double kSameInstant = 1e-6;  // s, for the rounding of sums of times
+
+// Why a record is refused, and when.
+struct Refusal {
+  Reason reason = Reason::none;
+  double time = 0;
+  Vec3 place = Vec3::Zero();
+  std::string detail;
+};
+
+using Refused = std::optional<Refusal>;
+
+class Prover {
+ public:
+  Prover(const geom::CollisionScene& scene, std::span<const FlightStage> stages,
+         const ContingencyRules& rules)
+      : scene_(scene),
+        stages_(stages),
+        rules_(rules),
+        room_(scene, rules.models),
+        time_(rules.models, scene.vehicle().limits, rules.energy) {}
+
+  Refused refusal(const ContingencyRecord& record) const {
+    if (auto refused = way_refused(record)) return refused;
+    if (auto refused = energy_claim_refused(record)) return refused;
+    for (const FlightStage& stage : stages_) {
+      if (stage.until < record.from || stage.from > record.until) continue;
+      if (auto refused = stage_refused(record, stage)) return refused;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  Refused way_refused(const ContingencyRecord& record) const {
+    const geom::Polyline& points = record.points;
+    for (std::size_t i = 0; i + 2 < points.size(); ++i) {
+      if (room_.leg(points[i], points[i + 1])) continue;
+      return Refusal{Reason::collision, record.from, points[i],
+                     fmt::format("leg {} of the way to {} is not clear", i, record.site)};
+    }
+    const Vec3& above = points[points.size() - 2];
+    const std::string fault = landing_fault(scene_, above, points.back());
+    if (fault.empty()) return std::nullopt;
+    return Refusal{Reason::landing, record.from, points.back(),
+                   fmt::format("{}: {}", record.site, fault)};
+  }
+
+  Refused energy_claim_refused(const ContingencyRecord& record) const {
+    if (!rules_.energy || record.latest_departure == record.until) return std::nullopt;
+    return Refusal{Reason::endurance, record.latest_departure.value_or(record.from),
+                   record.points.front(),
+                   fmt::format("not enough energy for the way to {}", record.site)};
+  }
+
+  // A stage that is partly outside of the record's time is halved as far as it can be, and then
+  // taken as a whole.
+  Refused stage_refused(const ContingencyRecord& record, const FlightStage& stage) const {
+    if (stage.until < record.from || stage.from > record.until) return std::nullopt;
+    const bool ends = stage.until == record.from || stage.from == record.until;
+    if (ends && stage.from < stage.until) return std::nullopt;  // the neighbour has that instant
+    const bool inside = record.from <= stage.from && stage.until <= record.until;
+    Refused refused = inside ? part_refused(record, stage) : Refused(Refusal{});
+    if (!refused) return std::nullopt;
+    const auto parts = extent(stage) > rules_.finest ? halves(stage) : std::nullopt;
+    if (!parts) return inside ? refused : part_refused(record, stage);
+    if (auto early = stage_refused(record, parts->first)) return early;
+    return stage_refused(record, parts->second);
+  }
+
+  Refused part_refused(const ContingencyRecord& record, const FlightStage& stage) const {
+    const Braking from = braking_of(rules_.models, stage);
+    const auto refuse = [&](Reason reason, const char* what) {
+      return Refusal{
+          reason, stage.from, stage.where.front(),
+          fmt::format("the way to {} from {:.6g} s on: {}", record.site, stage.from, what)};
+    };
+    if (!clear_region(scene_, from.region, stage.stands_on)) {
+      return refuse(Reason::collision, "the vehicle may touch something while it brakes");
+    }
+    if (!room_.joins(from, record.points.front())) {
+      return refuse(Reason::collision, "the straight way to its first point is not clear");
+    }
+    if (!rules_.energy) return std::nullopt;
+    const double seconds = time_.at_most(from, record.points);
+    if (stage.until + seconds <= flying_time(*rules_.energy) + kSameInstant) return std::nullopt;
+    return refuse(Reason::endurance, "there is not enough energy");
+  }
+
+  const geom::CollisionScene& scene_;
+  std::span<const FlightStage> stages_;
+  const ContingencyRules& rules_;
+  WayRoom room_;
+  WayTime time_;
+};
+
+// The first instant that no record covers.
+Refused uncovered(std::span<const FlightStage> stages, std::span<const ContingencyRecord> records) {
+  std::vector<std::pair<double, double>> times;
+  for (const ContingencyRecord& record : records) {
+    if (record.found()) times.emplace_back(record.from, record.until);
+  }
+  std::sort(times.begin(), times.end());
+  double covered = stages.front().from;
+  const double end = stages.back().until;
+  const auto gap = [&](double until) {
+    const auto at = std::find_if(stages.begin(), stages.end(),
+                                 [&](const FlightStage& stage) { return stage.until > covered; });
+    return Refusal{Reason::return_home, covered,
+                   (at == stages.end() ? stages.back() : *at).where.front(),
+                   fmt::format("no way home from {:.6g} to {:.6g} s", covered, until)};
+  };
+  for (const auto& [from, until] : times) {
+    if (from > covered) return gap(from);
+    covered = std::max(covered, until);
+  }
+  if (times.empty() || covered < end) return gap(end);
+  return std::nullopt;
+}
+
+}  // namespace
+
+ReportRecord check_contingencies(const geom::CollisionScene& scene, const std::string& id,
+                                 std::span<const FlightStage> stages,
+                                 std::span<const ContingencyRecord> records,
+                                 const ContingencyRules& rules) {
+  ReportRecord report{.id = id, .checked = std::string(kCheckedContingency)};
+  report.provenance = geom::provenance_of(scene);
+  if (stages.empty()) {
+    report.result.reason = Reason::no_path;
+    report.detail = "it has no flight, and so no way home";
+    return report;
+  }
+  report.result.duration = stages.back().until - stages.front().from;
+  const Prover prover(scene, stages, rules);
+  Refused first;
+  for (const ContingencyRecord& record : records) {
+    if (!record.found()) continue;
+    auto refused = prover.refusal(record);
+    if (refused && (!first || refused->time < first->time)) first = std::move(refused);
+  }
+  if (!first) first = uncovered(stages, records);
+  report.result.looked = true;
+  report.result.ok = !first;
+  if (!first) return report;
+  report.result.reason = first->reason;
+  report.result.time = first->time;
+  report.result.place = first->place;
+  report.detail = std::move(first->detail);
+  return report;
+}
+
+}  // namespace traj

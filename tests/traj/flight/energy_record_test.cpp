@@ -1,0 +1,58 @@
+#include <gtest/gtest.h>
+
+#include "support/refusal.h"
+#include "traj/flight/vehicle_profile.h"
+
+namespace traj {
+namespace {
+
+std::string profile(const std::string& members) { return R"({"body":[1,1,1],)" + members + "}"; }
+
+Energy energy(const std::string& members) {
+  return *parse_vehicle_profile(profile(members), "v.json").energy;
+}
+
+std::string refused(const std::string& members) {
+  return support::refusal_of([&] { parse_vehicle_profile(profile(members), "v.json"); });
+}
+
+TEST(Energy, IsAbsentUnlessTheProfileSaysSo) {
+  EXPECT_FALSE(parse_vehicle_profile(profile(R"("battery_wh":74,"endurance_s":1200)"), "v").energy);
+}
+
+TEST(Energy, TakesBatteryAndHoverPowerOfTheProfile) {
+  const Energy e = energy(R"("battery_wh":74,"endurance_s":1200,"energy":{})");
+  EXPECT_DOUBLE_EQ(e.capacity, 74 * 3600);
+  EXPECT_DOUBLE_EQ(e.power, 222);
+  EXPECT_EQ(e.reserve, 0.2);
+  EXPECT_EQ(e.wind, 0);
+  EXPECT_DOUBLE_EQ(flying_time(e), 960);
+}
+
+TEST(Energy, CountsTheLargestPower) {
+  const Energy e =
+      energy(R"("energy":{"capacity_wh":10,"hover_w":100,"cruise_w":90,"climb_w":150,"reserve":0,)"
+             R"("wind_m_s":3})");
+  EXPECT_EQ(e.power, 150);
+  EXPECT_EQ(e.wind, 3);
+  EXPECT_DOUBLE_EQ(flying_time(e), 240);
+}
+
+TEST(Energy, RefusesWhatCannotBe) {
+  EXPECT_NE(refused(R"("battery_wh":0,"energy":{"hover_w":1})").find("battery_wh"),
+            std::string::npos);
+  EXPECT_NE(refused(R"("energy":{"capacity_wh":0,"hover_w":1})").find("energy.capacity_wh"),
+            std::string::npos);
+  EXPECT_NE(refused(R"("energy":{"hover_w":1})").find("capacity_wh"), std::string::npos);
+  EXPECT_NE(refused(R"("battery_wh":9,"energy":{})").find("hover_w"), std::string::npos);
+  EXPECT_NE(refused(R"("battery_wh":9,"energy":{"hover_w":1,"reserve":1})").find("reserve"),
+            std::string::npos);
+  EXPECT_NE(refused(R"("battery_wh":9,"energy":{"hover_w":1,"wind_m_s":-1})").find("wind_m_s"),
+            std::string::npos);
+  EXPECT_NE(refused(R"("battery_wh":9,"energy":{"hover_w":1,"wind":1})").find("\"wind\""),
+            std::string::npos);
+  EXPECT_NE(refused(R"("battery_wh":9,"energy":4)").find("an object"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace traj

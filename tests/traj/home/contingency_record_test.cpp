@@ -1,0 +1,83 @@
+#include "traj/home/contingency_record.h"
+
+#include <gtest/gtest.h>
+
+#include "support/refusal.h"
+
+namespace traj {
+namespace {
+
+ContingencyRecord way() {
+  ContingencyRecord record{.id = "q1", .from = 1.5, .until = 7};
+  record.site = "pad-2";
+  record.points = {{1, 1, 9}, {4, 1, 5}, {4, 1, 0}};
+  record.length = 30;
+  record.duration = 12.25;
+  record.bounds_energy = true;
+  record.latest_departure = 6;
+  record.autopilot = "px4:1.17";
+  record.provenance.map = "sha256:0";
+  record.provenance.margin = 0.5;
+  return record;
+}
+
+TEST(ContingencyRecord, ReadsWhatItWrites) {
+  const std::string line = to_json_line(way());
+  EXPECT_EQ(line,
+            R"({"type":"contingency","id":"q1","status":"found","from":1.5,"until":7,)"
+            R"("autopilot":"px4:1.17","map":"sha256:0","margin":0.5,"site":"pad-2","length":30,)"
+            R"("duration":12.25,"latest_departure":6,"points":[[1,1,9],[4,1,5],[4,1,0]]})"
+            "\n");
+  EXPECT_EQ(to_json_line(parse_contingency_record(line, "h", 1)), line);
+  ContingencyRecord none = way();
+  none.latest_departure.reset();
+  const std::string null = to_json_line(none);
+  EXPECT_NE(null.find(R"("latest_departure":null)"), std::string::npos);
+  EXPECT_EQ(to_json_line(parse_contingency_record(null, "h", 1)), null);
+  none.bounds_energy = false;
+  EXPECT_EQ(to_json_line(none).find("latest_departure"), std::string::npos);
+}
+
+TEST(ContingencyRecord, ThatIsAGapHasNoWay) {
+  ContingencyRecord gap{.id = "q1", .from = 1, .until = 2};
+  gap.message = "no way";
+  const std::string line = to_json_line(gap);
+  EXPECT_EQ(line, R"({"type":"contingency","id":"q1","status":"unreachable","from":1,"until":2,)"
+                  R"("message":"no way"})"
+                  "\n");
+  const ContingencyRecord back = parse_contingency_record(line, "h", 1);
+  EXPECT_FALSE(back.found());
+  EXPECT_EQ(back.message, "no way");
+}
+
+TEST(ContingencyRecord, WithoutAStatusIsAWay) {
+  const ContingencyRecord back = parse_contingency_record(
+      R"({"type":"contingency","id":"a","from":0,"until":1,"site":"s","points":[[0,0,1],[0,0,0]]})",
+      "h", 1);
+  EXPECT_TRUE(back.found());
+  EXPECT_FALSE(back.bounds_energy);
+}
+
+TEST(ContingencyRecord, RefusesWhatCannotBe) {
+  const auto refused = [](const std::string& members) {
+    return support::refusal_of([&] {
+      parse_contingency_record(R"({"type":"contingency","id":"a",)" + members + "}", "h", 3);
+    });
+  };
+  const std::string points = R"(,"site":"s","points":[[0,0,1],[0,0,0]])";
+  EXPECT_TRUE(refused(R"("from":0)" + points).starts_with("h:3: "));
+  EXPECT_NE(refused(R"("from":2,"until":1)" + points).find("until must be >= 2"),
+            std::string::npos);
+  EXPECT_NE(refused(R"("from":-1,"until":1)" + points).find("from"), std::string::npos);
+  EXPECT_NE(refused(R"("from":0,"until":1e10)" + points).find("until"), std::string::npos);
+  EXPECT_NE(refused(R"("from":0,"until":1,"site":"s","points":[[0,0,1]])").find("at least two"),
+            std::string::npos);
+  EXPECT_NE(refused(R"("from":0,"until":1,"points":[[0,0,1],[0,0,0]])").find("site"),
+            std::string::npos);
+  EXPECT_NE(refused(R"("from":0,"until":1,"latest_departure":2)" + points), "");
+  EXPECT_NE(refused(R"("from":0,"until":1,"length":-2)" + points), "");
+  EXPECT_NE(refused(R"("from":0,"until":1,"status":"maybe")" + points), "");
+}
+
+}  // namespace
+}  // namespace traj
