@@ -21,6 +21,7 @@ struct Refusal {
   double time = 0;
   Vec3 place = Vec3::Zero();
   std::string detail;
+  double worst = 0;
 };
 
 using Refused = std::optional<Refusal>;
@@ -108,28 +109,53 @@ class Prover {
   WayTime time_;
 };
 
-// The first instant that no record covers.
-Refused uncovered(std::span<const FlightStage> stages, std::span<const ContingencyRecord> records) {
+// The times of the flight that no record covers.
+struct Uncovered {
+  std::optional<std::pair<double, double>> first = {};
+  double seconds = 0;  // of all
+
+  void add(double from, double until) {
+    if (!(from < until)) return;
+    if (!first) first = {from, until};
+    seconds += until - from;
+  }
+};
+
+Uncovered uncovered(std::span<const FlightStage> stages,
+                    std::span<const ContingencyRecord> records) {
   std::vector<std::pair<double, double>> times;
   for (const ContingencyRecord& record : records) {
     if (record.found()) times.emplace_back(record.from, record.until);
   }
   std::sort(times.begin(), times.end());
+  Uncovered out;
   double covered = stages.front().from;
   const double end = stages.back().until;
-  const auto gap = [&](double until) {
-    const auto at = std::find_if(stages.begin(), stages.end(),
-                                 [&](const FlightStage& stage) { return stage.until > covered; });
-    return Refusal{Reason::return_home, covered,
-                   (at == stages.end() ? stages.back() : *at).where.front(),
-                   fmt::format("no way home from {:.6g} to {:.6g} s", covered, until)};
-  };
   for (const auto& [from, until] : times) {
-    if (from > covered) return gap(from);
+    out.add(covered, std::min(from, end));
     covered = std::max(covered, until);
   }
-  if (times.empty() || covered < end) return gap(end);
-  return std::nullopt;
+  out.add(covered, end);
+  if (times.empty() && !out.first) out.first = {covered, end};  // of an instant
+  return out;
+}
+
+Refused without_way(std::span<const FlightStage> stages,
+                    std::span<const ContingencyRecord> records) {
+  const Uncovered gaps = uncovered(stages, records);
+  if (!gaps.first) return std::nullopt;
+  const auto [from, until] = *gaps.first;
+  const auto at =
+      std::find_if(stages.begin(), stages.end(),
+                   [from = from](const FlightStage& stage) { return stage.until > from; });
+  const double lasts = stages.back().until - stages.front().from;
+  const double share = lasts > 0 ? 1 - gaps.seconds / lasts : 0;
+  return Refusal{Reason::return_home, from,
+                 (at == stages.end() ? stages.back() : *at).where.front(),
+                 fmt::format("no way home from {:.6g} to {:.6g} s; ways home hold for {:.4g} % of "
+                             "the time",
+                             from, until, 100 * share),
+                 gaps.seconds};
 }
 
 }  // namespace
@@ -153,13 +179,14 @@ ReportRecord check_contingencies(const geom::CollisionScene& scene, const std::s
     auto refused = prover.refusal(record);
     if (refused && (!first || refused->time < first->time)) first = std::move(refused);
   }
-  if (!first) first = uncovered(stages, records);
+  if (!first) first = without_way(stages, records);
   report.result.looked = true;
   report.result.ok = !first;
   if (!first) return report;
   report.result.reason = first->reason;
   report.result.time = first->time;
   report.result.place = first->place;
+  report.result.worst = first->worst;
   report.detail = std::move(first->detail);
   return report;
 }

@@ -52,6 +52,7 @@ TEST(CheckContingencies, WantAWayFromEveryInstant) {
   late.records.back().latest_departure = late.records.back().until;
   EXPECT_EQ(late.check().reason, Reason::return_home);
   EXPECT_EQ(late.check().time, late.records.back().until);
+  EXPECT_NEAR(late.check().worst, 0.5, 1e-9) << "seconds without a way";
   late.records.clear();
   EXPECT_EQ(late.check().reason, Reason::return_home);
 }

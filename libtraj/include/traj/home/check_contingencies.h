@@ -36,7 +36,8 @@ struct ContingencyRules {
 // clear, the last goes straight down to whole and level ground; and from every instant of its time
 // the region of braking and all straight ways to the first point are inside the bounds and clear.
 // Together they leave out no instant. The report, "checked":"contingency", has the first reason in
-// time: collision, landing, endurance, or return where there is no way; `detail` says it in words.
+// time: collision, landing, endurance, or, if all records hold, return where there is no way
+// (`worst`: seconds without one); `detail` says it in words.
 // Nothing is sampled.
 ReportRecord check_contingencies(const geom::CollisionScene& scene, const std::string& id,
                                  std::span<const FlightStage> stages,
