@@ -4,6 +4,7 @@ set -euo pipefail
 export PATH="$1:$PATH"
 table=$2
 vehicle=$(dirname "$table")/vehicles/quad2kg.json
+sites=$(dirname "$table")/samples/sites.geojson
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
@@ -20,12 +21,13 @@ for threads in 1 2 7; do
   skyway-traj map paths.$threads --vmax 8 --amax 6 --solver stop-and-go -o trajectories.$threads || [ $? -eq 1 ]
   skyway-render -q map trajectories.$threads --rate 0.2 --shadows --threads $threads -o video.$threads.y4m
   skyway-check map trajectories.$threads --threads $threads -o reports.$threads || [ $? -eq 1 ]
+  skyway-plan map --home "$sites" trajectories.$threads --threads $threads -q -o home.$threads || [ $? -eq 1 ]
   skyway-fleet trajectories.$threads --separation 12,4 --parked gone --improve 5 --threads $threads -q -o fleet.$threads \
     --report-file delays.$threads || [ $? -eq 1 ]
   skyway-fly trajectories.$threads --vehicle "$vehicle" --wind 3,1,0 --gusts 3 --noise 0.01,0.05,0.5,1 --mass-error 0.1 \
     --runs 9 --log-rate 10 --threads $threads -o log.$threads --report-file flights.$threads || [ $? -eq 1 ]
 done
-for kind in map lattice paths replanned trajectories reports fleet delays log flights; do
+for kind in map lattice paths replanned trajectories reports home fleet delays log flights; do
   cmp $kind.1 $kind.2
   cmp $kind.1 $kind.7
 done
@@ -55,6 +57,7 @@ for k in 1 2 3; do "${fly[@]}" --runs 9 --shard "$k/3" -q -o "runs.$k"; done
 cmp log.joined log.1
 cmp flights.joined flights.1
 sharded reports skyway-check map trajectories.1
+sharded home skyway-plan map --home "$sites" trajectories.1
 fleet=(skyway-fleet trajectories.1 --separation 12,4 --parked gone --improve 5)
 for k in 1 2 3; do "${fleet[@]}" --shard "$k/3" -q -o "departures.$k"; done
 "${fleet[@]}" --join departures.{2,3,1} -q -o fleet.joined --report-file delays.joined || [ $? -eq 1 ]

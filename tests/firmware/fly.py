@@ -456,7 +456,7 @@ class ArduCopter(Firmware):
 
     kind = socket.SOCK_STREAM
     # what --return-at orders: the mode as the firmware's log has it, and its number
-    RETURNS = {"rtl": (6, (6,)), "land": (9, (9,)), "hold": (17, (17,)), "loiter": (5, (5,))}
+    RETURNS = {"rtl": (6, (6,)), "land": (9, (9,)), "hold": (17, (17,))}
     # for a program away from its source tree, where copter.parm is: a quadrotor "+", its calibration, its motors
     DEFAULTS = {"FRAME_CLASS": 1, "FRAME_TYPE": 0, "BATT_MONITOR": 4, "MOT_THST_EXPO": 0.65, "MOT_THST_HOVER": 0.39,
                 "MOT_BAT_VOLT_MIN": 9.6, "MOT_BAT_VOLT_MAX": 12.8, "ATC_RAT_YAW_P": 0.3, "ATC_RAT_YAW_I": 0.02,
@@ -571,18 +571,11 @@ def _rests_below(firmware):
 HOLDS = 25  # seconds after the order that a flight is watched which is to stay in the air
 
 
-def order_return(firmware, action):
-    """Changes the mode as an operator would, who presses return."""
-    if action not in firmware.RETURNS:
-        raise FlightError(f"This firmware has no mode for {action}.")
-    firmware.set_mode(*firmware.RETURNS[action][1])
-
-
 def watch(firmware, options, mission):
     """Waits until the flight is over; returns how it ended, and when by the simulation's clock."""
     start, last_seen = firmware.clock, time.monotonic()
     order, action = options.return_at or (math.inf, None)
-    stays = action in ("hold", "loiter")
+    stays = action == "hold"
     lands = (options.setpoints or any(i.command in (CMD_LAND, CMD_RETURN) for i in mission.items) or action) and not stays
     ordered = None
     clock, high = firmware.clock, False
@@ -603,7 +596,7 @@ def watch(firmware, options, mission):
         if clock - start > options.timeout:
             return "cut", clock
         if ordered is None and clock - start >= order:
-            order_return(firmware, action)
+            firmware.set_mode(*firmware.RETURNS[action][1])
             ordered = clock
         if ordered is not None and stays and clock - ordered > HOLDS:
             return "holds", clock
@@ -713,8 +706,8 @@ def _assignment(text):
 
 def _order(text):
     seconds, _, action = text.partition(",")
-    if action not in ("", "rtl", "land", "hold", "loiter"):
-        raise argparse.ArgumentTypeError(f"{text}: expected SECONDS, or SECONDS and rtl, land, hold or loiter")
+    if action not in ("", "rtl", "land", "hold"):
+        raise argparse.ArgumentTypeError(f"{text}: expected SECONDS, or SECONDS and rtl, land or hold")
     return float(seconds), action or "rtl"
 
 
@@ -732,7 +725,7 @@ def parser():
     p.add_argument("--home", type=_numbers(3), metavar="LAT,LON,ALT", help="instead of the mission's")
     p.add_argument("--timeout", type=float, default=1200, metavar="SECONDS", help="of simulated time, from arming (1200)")
     p.add_argument("--return-at", type=_order, metavar="SECONDS[,ACTION]",
-                   help="after arming, ends the mission by a change of mode: rtl, land, hold (ArduCopter also: loiter)")
+                   help="after arming, ends the mission by a change of mode: rtl, land or hold")
     p.add_argument("--params-out", metavar="FILE", help="all parameters, as flown")
     p.add_argument("--log-out", metavar="FILE", help="the firmware's own log")
     p.add_argument("--keep", action="store_true", help="keep the firmware's folder when a flight fails")

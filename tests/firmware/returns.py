@@ -62,6 +62,9 @@ def made(seed, kind, firmware):
     if kind == "rally":
         for _ in range(chance.choice((1, 2))):
             rally.append([*place(chance.uniform(-90, 90), chance.uniform(-90, 90)), chance.choice((5, 15, 30))])
+    if kind == "places":  # so near to home that PX4 leaves it out, or so far away that ArduPilot does
+        away, angle = chance.uniform(*((6, 13) if firmware == "px4" else (220, 420))), chance.uniform(0, 6.28)
+        rally.append([*place(away * math.cos(angle), away * math.sin(angle)), 15])
     plan = {"fileType": "Plan", "version": 1, "groundStation": "made up",
             "geoFence": {"version": 2, "polygons": [], "circles": []}, "rallyPoints": {"version": 2, "points": rally},
             "mission": {"version": 2, "firmwareType": 12 if firmware == "px4" else 3, "vehicleType": 2, "cruiseSpeed": 10,
@@ -97,8 +100,7 @@ def fly(one, folder, firmware, options):
     drag = "" if firmware == "arducopter" else "1" if airframe == "stock" else "0.122"
     autopilot = "px4:1.17" if firmware == "px4" else "ardupilot:4.7"
     settings = " ".join(f"{key}={value}" for key, value in params.items())
-    kept = "hold" if found[1] == "loiter" else found[1]
-    row = f"{track.name},{mission.name},{autopilot},{kept},{found[2]},{settings},{drag}"
+    row = f"{track.name},{mission.name},{autopilot},{found[1]},{found[2]},{settings},{drag}"
     return row, f"{name}: {notes.read_text().strip().splitlines()[-1][-160:]}"
 
 
@@ -108,8 +110,9 @@ def main():
     parser.add_argument("--firmware", choices=("px4", "arducopter"), default="px4")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--count", type=int, default=10)
-    parser.add_argument("--kind", choices=KINDS, help="of all missions (default: each in its turn)")
-    parser.add_argument("--action", choices=("rtl", "land", "hold", "loiter"), help="of all orders (default: mostly rtl)")
+    parser.add_argument("--kind", choices=(*KINDS, "places"), help="of all missions (default: each but places in its turn)")
+    parser.add_argument("--action", choices=("rtl", "land", "hold"), help="of all orders (default: mostly rtl)")
+    parser.add_argument("--usual", action="store_true", help="with the firmware's own parameters (default: at random)")
     parser.add_argument("-j", "--jobs", type=int, default=2, help="flights at once (2)")
     parser.add_argument("--judge", type=pathlib.Path, metavar="JUDGE_RETURNS", help="the program of that name, to run afterwards")
     at = sys.argv.index("--") if "--" in sys.argv else len(sys.argv)
@@ -121,7 +124,7 @@ def main():
         seed = 1000 * options.seed + number
         plan, seconds, action, params, airframe = made(seed, kind, options.firmware)
         name = f"{options.firmware[:3]}_{kind}_{seed}" + (f"_{options.action}" if options.action else "")
-        flights.append((name, (plan, seconds, options.action or action, params, airframe)))
+        flights.append((name, (plan, seconds, options.action or action, {} if options.usual else params, airframe)))
     table = options.outdir / "returns.csv"
     rows = []
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:

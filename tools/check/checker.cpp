@@ -1,5 +1,7 @@
 #include "checker.h"
 
+#include <fmt/format.h>
+
 #include <memory>
 #include <utility>
 
@@ -64,6 +66,10 @@ Checks Checker::path(const geom::PathRecord& record, const std::string& source,
 
 // What a drone makes of a file.
 Checks Checker::flown(const traj::FileFlight& file) const {
+  if (!scenes_.asked().vehicle && !file.vehicle.empty()) {
+    throw cli::UsageError(fmt::format("no vehicle: {} is for an aircraft of DJI: give --vehicle {}",
+                                      file.id, file.vehicle));
+  }
   const auto& scene = scenes_.scene();
   const traj::FlownLegs* legs = traj::legs_of(file.flown);
   if (!file.format->is_flown) {

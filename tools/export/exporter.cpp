@@ -53,7 +53,18 @@ traj::MissionExport Exporter::export_unchecked(const Flight& flight) {
                                 options_.file);
 }
 
+// A mission of DJI is for an aircraft whose profile is known.
+void Exporter::require_vehicle(const Flight& flight) const {
+  if (scenes_->asked().vehicle || flight.provenance.vehicle) return;
+  if (&options_.format() != &traj::kDjiWpml) return;
+  throw cli::UsageError(
+      fmt::format("no vehicle: the record names none; give --vehicle {}, which is the aircraft "
+                  "that the mission is for (--aircraft)",
+                  traj::vehicle_of(options_.file.dji.aircraft)));
+}
+
 traj::MissionExport Exporter::export_checked(const Flight& flight) {
+  require_vehicle(flight);
   const geom::CollisionScene& scene = scene_for(flight);
   options_.metres.check_input(scene.map().spec().frame, flight.way.trajectory, flight.way.id, 0);
   if (!wishes_.any()) {

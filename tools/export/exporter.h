@@ -33,6 +33,7 @@ class Exporter {
  private:
   traj::MissionExport export_checked(const Flight& flight);
   traj::MissionExport export_unchecked(const Flight& flight);
+  void require_vehicle(const Flight& flight) const;
   traj::MissionExport export_one(const Flight& flight);
 
   const cli::Common& common_;

@@ -1,6 +1,6 @@
 #pragma once
 
-// The texts of data/vehicles, which the build puts into the library.
+// The texts of data/vehicles, which the build puts into the library: one for each name of each.
 
 #include <span>
 #include <string_view>

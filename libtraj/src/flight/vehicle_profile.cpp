@@ -22,25 +22,16 @@ using geom::Vec3;
 
 constexpr double kEveryTilt = std::numbers::pi / 2;  // beyond it the box is that of less, mirrored
 
-constexpr std::array kKeys = {"name",
-                              "body",
-                              "tilt_max_deg",
-                              "limits",
-                              "mass_kg",
-                              "inertia_kg_m2",
-                              "motor_time_constant_s",
-                              "thrust_n",
-                              "body_rate_max_rad_s",
-                              "motor_arm_m",
-                              "torque_per_thrust_m",
-                              "drag_kg_s",
-                              "battery_wh",
-                              "ceiling_m",
-                              "range_m",
-                              "endurance_s",
-                              "navigation_m",
-                              "energy",
-                              "gains",
+constexpr std::array kKeys = {"name",          "also",
+                              "body",          "tilt_max_deg",
+                              "limits",        "mass_kg",
+                              "inertia_kg_m2", "motor_time_constant_s",
+                              "thrust_n",      "body_rate_max_rad_s",
+                              "motor_arm_m",   "torque_per_thrust_m",
+                              "drag_kg_s",     "battery_wh",
+                              "ceiling_m",     "range_m",
+                              "endurance_s",   "navigation_m",
+                              "energy",        "gains",
                               "sources"};
 
 // A limit under a name that nobody reads would not hold.
@@ -121,7 +112,10 @@ VehicleProfile parse_vehicle_profile(std::string_view json, std::string_view sou
 
 std::optional<VehicleProfile> vehicle_named(std::string_view name) {
   for (const BuiltInVehicle& vehicle : built_in_vehicles()) {
-    if (vehicle.name == name) return parse_vehicle_profile(vehicle.json, name);
+    if (vehicle.name != name) continue;
+    VehicleProfile profile = parse_vehicle_profile(vehicle.json, name);
+    profile.vehicle.name = name;
+    return profile;
   }
   return std::nullopt;
 }

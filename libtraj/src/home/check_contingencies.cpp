@@ -6,6 +6,7 @@
 
 #include "home/braking.h"
 #include "home/clear_region.h"
+#include "home/way_room.h"
 #include "home/way_time.h"
 #include "traj/home/landing_site.h"
 
@@ -31,6 +32,7 @@ class Prover {
       : scene_(scene),
         stages_(stages),
         rules_(rules),
+        room_(scene, rules.models),
         time_(rules.models, scene.vehicle().limits, rules.energy) {}
 
   Refused refusal(const ContingencyRecord& record) const {
@@ -47,7 +49,7 @@ class Prover {
   Refused way_refused(const ContingencyRecord& record) const {
     const geom::Polyline& points = record.points;
     for (std::size_t i = 0; i + 2 < points.size(); ++i) {
-      if (scene_.free(points[i], points[i + 1])) continue;
+      if (room_.leg(points[i], points[i + 1])) continue;
       return Refusal{Reason::collision, record.from, points[i],
                      fmt::format("leg {} of the way to {} is not clear", i, record.site)};
     }
@@ -90,7 +92,7 @@ class Prover {
     if (!clear_region(scene_, from.region, stage.stands_on)) {
       return refuse(Reason::collision, "the vehicle may touch something while it brakes");
     }
-    if (!clear_join(scene_, from.region, record.points.front(), stage.stands_on)) {
+    if (!room_.joins(from, record.points.front())) {
       return refuse(Reason::collision, "the straight way to its first point is not clear");
     }
     if (!rules_.energy) return std::nullopt;
@@ -102,6 +104,7 @@ class Prover {
   const geom::CollisionScene& scene_;
   std::span<const FlightStage> stages_;
   const ContingencyRules& rules_;
+  WayRoom room_;
   WayTime time_;
 };
 

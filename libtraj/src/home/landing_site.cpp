@@ -35,7 +35,7 @@ bool in_building(const geom::CollisionScene& scene, const Vec3& p) {
 
 // Where `above` is: as high as kApproachHeight and the bounds allow.
 double approach(const geom::CollisionScene& scene, double ground) {
-  return std::min(ground + kApproachHeight, scene.free_bounds()->max.z());
+  return std::min(ground + scene.half().z() + kApproachHeight, scene.free_bounds()->max.z());
 }
 
 bool outside_in_plan(const geom::CollisionScene& scene, const Vec2& p) {

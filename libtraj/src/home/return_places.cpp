@@ -36,10 +36,9 @@ std::vector<std::size_t> likely_places(const ReturnModel& model, const FlightSta
   const bool none_near = last_resort && (rally == kNone || rally + off > limit);
   std::vector<std::size_t> out;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const double away = distance(plan, ground(i));
-    if (model.any_place || away <= sure + model.nearer + off || (i == home && none_near)) {
-      out.push_back(i);
-    }
+    const bool near = distance(plan, ground(i)) <= sure + model.nearer + off;
+    const bool is_one = i != home || model.home_is_a_place;
+    if (model.any_place || (is_one && near) || (i == home && none_near)) out.push_back(i);
   }
   return out;
 }

@@ -107,7 +107,7 @@ class Prover {
       return landing_sweeps(model_, stage, task_.home.z(), scene_.map().spec().bounds.min.z());
     }
     std::vector<ReturnSweep> out;
-    for (const std::size_t i : nearest_places(braking_region(model_, stage))) {
+    for (const std::size_t i : likely_places(model_, stage, places_)) {
       const auto sweeps = return_sweeps(model_, stage, places_[i]);
       out.insert(out.end(), sweeps.begin(), sweeps.end());
     }

@@ -124,7 +124,7 @@ class Return {
     std::vector<ReturnSweep> out{{braking_, ReturnPhase::braking, stage_.stands_on}};
     out.push_back({{braking_.plan, braking_.low, top_}, ReturnPhase::climb, stage_.stands_on});
     out.push_back({{way_, low_, top_}, ReturnPhase::way, stage_.stands_on});
-    out.push_back({sinking(), ReturnPhase::descent, ground});
+    add_sinking(out);
     out.push_back({{end_, std::min(ground, low_), top_}, ReturnPhase::descent, ground});
     return out;
   }
@@ -156,19 +156,23 @@ class Return {
   bool sinks_to_descend() const { return model_.cone.px4_1_11 && nearest_ <= model_.cone.near; }
 
   // Sinking begins within the radius of the place, from any side from which it may come, and goes
-  // on while it comes nearer. If it is there when it is told to return, it sinks while it slows
-  // down, and on its way back.
-  Prism sinking() const {
-    Plan plan = within(way_, target_, model_.acceptance + overshot(model_));
-    plan.insert(plan.end(), end_.begin(), end_.end());
-    double fall = model_.fall;
-    if (nearest_ <= model_.acceptance) {
-      plan.insert(plan.end(), braking_.plan.begin(), braking_.plan.end());
-      fall += model_.descent * seconds_back();
-    }
+  // on while it comes nearer: a cone, in steps that all reach up. If it is there when it is told to
+  // return, it sinks while it slows down, and on its way back.
+  void add_sinking(std::vector<ReturnSweep>& out) const {
+    const bool at_once = nearest_ <= model_.acceptance;
     const double ground = place_.ground.z();
     const double begin = model_.aslant ? std::min(low_, base_ + model_.cone.descend) : low_;
-    return {plan_hull(std::move(plan)), std::min(low_, std::max(ground, begin - fall)), top_};
+    const double fall = model_.fall + (at_once ? model_.descent * seconds_back() : 0);
+    const double end = std::min(low_, std::max(ground, begin - fall));
+    constexpr int kSteps = 3;
+    for (int i = 0; i < kSteps; ++i) {
+      const double radius = model_.acceptance * (kSteps - i) / kSteps;
+      Plan plan = within(way_, target_, radius + overshot(model_));
+      plan.insert(plan.end(), end_.begin(), end_.end());
+      if (at_once) plan.insert(plan.end(), braking_.plan.begin(), braking_.plan.end());
+      const double low = low_ + (end - low_) * (i + 1) / kSteps;
+      out.push_back({{plan_hull(std::move(plan)), low, top_}, ReturnPhase::descent, ground});
+    }
   }
 
   // From the order until it is back above its place: to rest, and the way with the usual speed.
@@ -254,15 +258,18 @@ std::vector<ReturnSweep> landing_sweeps(const ReturnModel& model, const FlightSt
 
 double longest_seconds(const ReturnModel& model, std::span<const ReturnSweep> sweeps) {
   double seconds = 0;
+  double descent = 0;  // the longest: the others are its beginning
   for (const ReturnSweep& one : sweeps) {
     const double up = one.region.high - one.region.low;
-    const bool sinks = one.phase == ReturnPhase::descent;
-    const double across = furthest(one.region.plan, one.region.plan.front());
-    const double vertical = up / (sinks ? std::min(kSlowestLanding, model.descent) : model.climb);
-    const double level = one.phase == ReturnPhase::way ? across / model.speed : 0;
-    seconds += one.phase == ReturnPhase::way ? level : vertical;
+    if (one.phase == ReturnPhase::descent) {
+      descent = std::max(descent, up / std::min(kSlowestLanding, model.descent));
+    } else if (one.phase == ReturnPhase::way) {
+      seconds += furthest(one.region.plan, one.region.plan.front()) / model.speed;
+    } else {
+      seconds += up / model.climb;
+    }
   }
-  return 2 * seconds + 60;
+  return 2 * (seconds + descent) + 60;
 }
 
 }  // namespace traj

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "home/clear_region.h"
-
 namespace traj {
 namespace {
 
@@ -25,10 +23,6 @@ double length_from(const Braking& from, const ChosenWay& way) {
   return furthest + way.rest;
 }
 
-bool WayChoice::joins(const Braking& from, const Vec3& to) const {
-  return clear_join(scene_, from.region, to, from.stands_on);
-}
-
 double WayChoice::straight(const Vec3& from, const LandingSite& site) const {
   return (site.above - from).norm() + (site.above.z() - site.ground.z());
 }
@@ -41,7 +35,7 @@ double WayChoice::straight(const Vec3& from) const {
 
 bool WayChoice::each_leg_free(const geom::Polyline& path) const {
   for (std::size_t i = 1; i < path.size(); ++i) {
-    if (!scene_.free(path[i - 1], path[i])) return false;
+    if (!room_.leg(path[i - 1], path[i])) return false;
   }
   return scene_.free(path.front());
 }
@@ -52,13 +46,13 @@ std::optional<geom::Polyline> WayChoice::at_height(const Braking& from, const La
                                                    double z) const {
   const Vec3 middle = from.middle;
   const Vec3 over_site(site.above.x(), site.above.y(), z);
-  if (z > site.above.z() && !scene_.free(over_site, site.above)) return std::nullopt;
+  if (z > site.above.z() && !room_.leg(over_site, site.above)) return std::nullopt;
   geom::Polyline down = {over_site, site.above, site.ground};
   if (z <= site.above.z()) down = {site.above, site.ground};
   if (joins(from, down.front())) return down;
   if (z <= middle.z()) return std::nullopt;
   const Vec3 up(middle.x(), middle.y(), z);
-  if (!scene_.free(up, over_site) || !joins(from, up)) return std::nullopt;
+  if (!room_.leg(up, over_site) || !joins(from, up)) return std::nullopt;
   down.insert(down.begin(), up);
   return down;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "home/braking.h"
+#include "home/way_room.h"
 #include "traj/home/ways_home.h"
 
 namespace traj {
@@ -25,13 +26,14 @@ double length_from(const Braking& from, const ChosenWay& way);
 class WayChoice {
  public:
   // Both must outlive this.
-  WayChoice(const geom::CollisionScene& scene, const WaysTask& task) : scene_(scene), task_(task) {}
+  WayChoice(const geom::CollisionScene& scene, const WaysTask& task)
+      : scene_(scene), task_(task), room_(scene, task.models) {}
 
   // The shortest that was found. It can be joined straight from every place of the region.
   std::optional<ChosenWay> choose(const Braking& from) const;
 
   // Whether every straight way from the region to a place is clear.
-  bool joins(const Braking& from, const Vec3& to) const;
+  bool joins(const Braking& from, const Vec3& to) const { return room_.joins(from, to); }
 
   // Metres straight to the nearest site and down.
   double straight(const Vec3& from) const;
@@ -46,6 +48,7 @@ class WayChoice {
 
   const geom::CollisionScene& scene_;
   const WaysTask& task_;
+  WayRoom room_;
 };
 
 }  // namespace traj

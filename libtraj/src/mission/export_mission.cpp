@@ -102,7 +102,7 @@ MissionTask task_of(const ExportFlight& flight, const geom::Frame& frame, const 
 }
 
 void require_slow_enough(const MissionTask& task) {
-  const std::optional<double> most = speed_limit(task.limits);
+  const std::optional<double> most = speed_along_legs(task);
   const std::optional<double>& speed = task.options.speed;
   if (!speed || !most || *speed <= *most) return;
   throw geom::UsageError(

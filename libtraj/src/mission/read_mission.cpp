@@ -22,7 +22,8 @@ std::vector<FileFlight> read_mission(const std::string& text, const std::string&
     std::string id = !read.ids.empty() ? std::move(read.ids[i])
                      : count == 1      ? name
                                        : fmt::format("{}-{}", name, i + 1);
-    files.push_back({std::move(id), &format, to_enu(frame.axes, std::move(flown)), read.notes});
+    files.push_back(
+        {std::move(id), &format, to_enu(frame.axes, std::move(flown)), read.notes, read.vehicle});
   }
   return files;
 }

@@ -16,7 +16,7 @@ wrong = []
 # Of no format: what a run tells and how it runs; and what allows or insists, which changes nothing where nothing is asked for.
 ANY = {"--help", "--version", "--threads", "--progress", "--stats", "--quiet", "--output", "--format", "--file-format",
        "--paths-csv", "--shard", "--memory", "--allow-skipped", "--override", "--map", "--id", "--unchecked", "--vehicle",
-       "--crs", "--plan", "--tube", "--certificate", "--profile", "--profile-step", "--junit", "--moving", "--show", "--metres"}
+       "--crs", "--plan", "--tube", "--certificate", "--profile", "--profile-step", "--junit", "--moving", "--contingencies", "--show", "--metres"}
 
 # A value that is not the default and suits the samples; None: a flag.
 VALUES = {

@@ -2,10 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
 
 #include "support/refusal.h"
+#include "traj/scenes.h"
 
 namespace traj {
 namespace {
@@ -53,6 +61,70 @@ TEST(VehicleNamed, IsOneOfTheNamesInAlphabeticalOrder) {
   }
   EXPECT_FALSE(vehicle_named("tello.json"));
   EXPECT_FALSE(vehicle_named(""));
+}
+
+TEST(VehicleNamed, SaysHowFastItIsAndItsBoxHoldsItsBodyInEveryAttitude) {
+  testing::Random random(36);
+  for (const std::string_view name : vehicle_names()) {
+    const VehicleProfile profile = *vehicle_named(name);
+    EXPECT_EQ(profile.vehicle.name, name);
+    EXPECT_TRUE(profile.vehicle.limits[geom::Limit::speed]) << name;
+    const auto& tilt = profile.vehicle.limits[geom::Limit::tilt];
+    ASSERT_TRUE(tilt) << name;
+    for (int i = 0; i < 2000; ++i) {
+      const double lean = i % 2 ? *tilt : random.number(0, *tilt);
+      const double to = random.number(-M_PI, M_PI);
+      const Eigen::AngleAxisd tilted(lean, geom::Vec3(std::cos(to), std::sin(to), 0));
+      const Eigen::AngleAxisd turned(random.number(-M_PI, M_PI), geom::Vec3::UnitZ());
+      const auto sign = [&] { return random.number(-1, 1) < 0 ? -1.0 : 1.0; };
+      const geom::Vec3 corner = profile.body->cwiseProduct(geom::Vec3(sign(), sign(), sign()));
+      const geom::Vec3 reach = (tilted * (turned * corner)).cwiseAbs();
+      EXPECT_LE((reach - profile.vehicle.half).maxCoeff(), 0) << name;
+    }
+  }
+}
+
+nlohmann::json json_of(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  return nlohmann::json::parse(text.str());
+}
+
+// The keys that a member of "sources" is about: "limits, tilt_max_deg".
+std::set<std::string> sourced(const nlohmann::json& profile) {
+  std::set<std::string> keys;
+  for (const auto& [text, source] : profile.at("sources").items()) {
+    EXPECT_FALSE(source.get<std::string>().empty()) << text;
+    std::istringstream words(text);
+    for (std::string word; words >> word;) keys.insert(word.substr(0, word.find(',')));
+  }
+  return keys;
+}
+
+TEST(VehicleNamed, IsAFileOfDataByEachOfItsNamesWithASourceForEachFigure) {
+  std::set<std::string> names;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(SKYWAY_SOURCE_DIR "/data/vehicles")) {
+    const nlohmann::json profile = json_of(entry.path());
+    const std::string name = entry.path().stem();
+    EXPECT_EQ(profile.at("name"), name);
+    std::set<std::string> keys;
+    for (const auto& [key, value] : profile.items()) keys.insert(key);
+    keys.erase("name");
+    keys.erase("sources");
+    EXPECT_EQ(sourced(profile), keys) << name;
+    ASSERT_TRUE(names.insert(name).second) << name;
+    for (const std::string also : profile.value("also", nlohmann::json::array())) {
+      ASSERT_TRUE(names.insert(also).second) << also << " is known already";
+      ASSERT_TRUE(vehicle_named(also)) << also;
+      geom::Vehicle same = vehicle_named(also)->vehicle;
+      same.name = name;
+      EXPECT_EQ(same, vehicle_named(name)->vehicle) << also;
+    }
+  }
+  const auto known = vehicle_names();
+  EXPECT_EQ(names, std::set<std::string>(known.begin(), known.end()));
 }
 
 }  // namespace

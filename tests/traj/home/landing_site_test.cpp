@@ -24,7 +24,7 @@ TEST(LandingSite, IsOnTheGroundOrOnTheRoofBelow) {
   const auto scene = small_vehicle(town({kBlock}));
   const LandingSite ground = landing_site(scene, drawn_at(20, 20), "s");
   EXPECT_EQ(ground.ground, Vec3(20, 20, 0));
-  EXPECT_EQ(ground.above, Vec3(20, 20, kApproachHeight));
+  EXPECT_EQ(ground.above, Vec3(20, 20, kApproachHeight + scene.half().z()));
   const LandingSite roof = landing_site(scene, drawn_at(50, 50), "s");
   EXPECT_EQ(roof.ground, Vec3(50, 50, 20));
   EXPECT_EQ(landing_site(scene, drawn_at(50, 50, 20.3), "s").ground.z(), 20) << "the map's height";
@@ -57,6 +57,7 @@ TEST(LandingSite, IsThePlaceOfAPolygonFurthestFromItsEdgesThatIsFree) {
   DrawnSite yard = drawn_at(0, 0);
   yard.outline.outer = {{10, 10}, {43, 10}, {43, 43}, {10, 43}, {10, 10}};
   EXPECT_EQ(landing_site(empty, yard, "s").ground, Vec3(26.5, 26.5, 0));
+  yard.ground = 0;
   const auto tree = small_vehicle(town({{{25, 25, 0}, {28, 28, 9}}}));
   const LandingSite beside = landing_site(tree, yard, "s");
   EXPECT_EQ(beside.ground.z(), 0);

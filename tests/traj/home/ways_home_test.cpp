@@ -32,7 +32,7 @@ TEST(WaysHome, ShareOneWayAlongAStraightFlight) {
   const WayHome& way = home.ways.front();
   EXPECT_EQ(way.from, 0);
   EXPECT_EQ(way.until, 10);
-  EXPECT_EQ(way.points, (geom::Polyline{{90, 10, 5}, {90, 10, 0}})) << "straight to the site";
+  EXPECT_EQ(way.points, (geom::Polyline{task.sites[0].above, task.sites[0].ground})) << "straight";
   EXPECT_GT(way.length, (Vec3(90, 10, 5) - Vec3(10, 10, 20)).norm());
   EXPECT_FALSE(way.latest_departure);
 }
@@ -59,7 +59,7 @@ TEST(WaysHome, GoOverWhatStandsBetween) {
 TEST(WaysHome, AskThePlannerWhereThereIsARoof) {
   // A hall without a gap above: the planner knows its door.
   const auto scene = small_vehicle(town(
-      {{{0, 0, 30}, {50, 100, 31}}, {{50, 0, 0}, {51, 100, 28}}, {{50, 0, 28}, {51, 90, 60}}}));
+      {{{0, 0, 32}, {50, 100, 33}}, {{50, 0, 0}, {51, 100, 28}}, {{50, 0, 28}, {51, 90, 60}}}));
   const auto stages = stages_of(path_of({{20, 20, 10}, {24, 20, 10}}), kSpeed);
   WaysTask task = task_of(scene, {{90, 20}});
   EXPECT_EQ(share(ways_home(scene, stages, task)), 0);
@@ -145,6 +145,13 @@ bool leg_touches(const geom::CollisionScene& scene, const Vec3& a, const Vec3& b
   return false;
 }
 
+// At a stop it goes on by what the model says.
+bool overshoot_touches(const geom::CollisionScene& scene, const ReturnModel& model, const Vec3& a,
+                       const Vec3& b) {
+  const double over = model.overshoot_time * model.speed + model.overshoot;
+  return leg_touches(scene, b, b + (b - a).normalized() * over);
+}
+
 // Where a vehicle that leaves the curve at that state may come to rest, by the model's own words:
 // straight on, after the reaction at its speed and an S-curve, and what it overshoots.
 Vec3 rest(const ReturnModel& model, const State& state, support::Random& random) {
@@ -202,6 +209,7 @@ TEST(WaysHome, NeverTouchAnythingWhereverTheVehicleLeaves) {
       ++ways;
       for (std::size_t i = 1; i + 1 < way.points.size(); ++i) {
         ASSERT_FALSE(leg_touches(scene, way.points[i - 1], way.points[i])) << "seed " << seed;
+        ASSERT_FALSE(overshoot_touches(scene, task.models[0], way.points[i - 1], way.points[i]));
       }
       for (int i = 0; i < 12; ++i) {
         const double t = random.uniform(way.from, way.until);
@@ -210,6 +218,7 @@ TEST(WaysHome, NeverTouchAnythingWhereverTheVehicleLeaves) {
         ASSERT_FALSE(leg_touches(scene, state.position, end)) << "seed " << seed << " at " << t;
         ASSERT_FALSE(leg_touches(scene, end, way.points.front())) << "seed " << seed << " at " << t;
         ASSERT_LE((end - way.points.front()).norm(), way.length) << "seed " << seed;
+        ASSERT_FALSE(overshoot_touches(scene, task.models[0], end, way.points.front()));
       }
     }
   }

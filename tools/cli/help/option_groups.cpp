@@ -19,7 +19,8 @@ struct Group {
 constexpr Group kGroups[] = {
     {"Input",
      "--queries --reference --set --length=METRES --from --to --format --file-format --paths-csv "
-     "--paths --home --home-local --contingencies --lattice --roadmap --old-map --patch --map --plan check--tube --moving "
+     "--paths plan--home --home-local --contingencies --lattice --roadmap --old-map --patch --map "
+     "--plan check--tube --moving "
      "--alternatives --others --planner-cmd=COMMAND --frames view--poses --epoch=INSTANT "
      "--departure=SECONDS --id=NAME --terrain --where=SQL --height-attribute=NAME "
      "--types=TYPE,... --label-by --model-path=FOLDER --without=NAME --fence --keep-out "
@@ -30,7 +31,8 @@ constexpr Group kGroups[] = {
      "--noise-points --unknown --allow-skipped --collisions-only import-trajectory--gap=METRES "
      "--resolution=METRES --scale=FACTOR --all --verify --join"},
     {"Output",
-     "-o --output check--report=WORD --report-file --json --degrees --profile --profile-step=LENGTH --junit --certificate "
+     "-o --output check--report=WORD --report-file --json --degrees --profile "
+     "--profile-step=LENGTH --junit --certificate "
      "--tree --corridor-file --python --table --show --unchecked --no-clearance --resample=METRES "
      "export--rate=HERTZ export--axes --wpml-version --aircraft --hover --turns=METRES --lost-link "
      "--gimbal=DEGREES --rally --fence-budget=CORNERS --fence-out --rally-out --params-out "

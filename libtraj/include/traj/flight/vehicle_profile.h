@@ -35,7 +35,7 @@ struct VehicleProfile {
 VehicleProfile parse_vehicle_profile(std::string_view json, std::string_view source);
 
 // A profile of data/vehicles, which every program carries, by the file's name without ".json":
-// "tello". Nothing for another name.
+// "tello", or by one that the profile has in "also": "m3t". Nothing for another name.
 std::optional<VehicleProfile> vehicle_named(std::string_view name);
 std::vector<std::string_view> vehicle_names();  // in alphabetical order
 

@@ -51,8 +51,11 @@ struct LandingSite {
   Vec3 above = Vec3::Zero();   // m: free, and so is the way down
 };
 
-inline constexpr double kApproachHeight = 5;  // m of `above` over the ground, if the map is so high
-inline constexpr double kLevelGround = 0.5;   // m by which a file may be wrong about the ground
+// m between the ground and the vehicle's lower side, with its margin, at `above`, if the map is so
+// high.
+inline constexpr double kApproachHeight = 5;
+
+inline constexpr double kLevelGround = 0.5;  // m by which a file may be wrong about the ground
 
 // Where the vehicle of the scene lands on the site. On a point: there. On a polygon: at the place
 // of a grid of 33 by 33 over its bounding box that is furthest from its edges, the vehicle with

@@ -76,10 +76,12 @@ bool complete(const WaysHome& home, const WaysTask& task);
 
 // Ways for all stages (contiguous, ascending). A way is for all instants of its time: from wherever
 // the vehicle comes to rest (braking_region of every model) the straight way to the first point,
-// and every leg, are inside the bounds and clear of the map, boxes with times counting as always
-// there. Nothing is sampled (clear_region, clear_join). Sites are tried in the order of their
-// straight distance, up to the length of the way that was found. A stage for which nothing is found
-// is halved, down to `finest`. Threads may call it at once; the answer is always the same.
+// every leg, and what the models overshoot beyond each point, are inside the bounds and clear of the
+// map, boxes with times counting as always there. Nothing is sampled. The margin of the scene must
+// hold what the models may be off (`around`; least_margin of home_flight.h). Sites are tried in the
+// order of their straight distance, up to the length of the way that was found. A stage for which
+// nothing is found is halved, down to `finest`. Threads may call it at once; the answer is always
+// the same.
 //
 // Throws InputError where the wind of the energy is not below the speed of a model or a limit of
 // the vehicle.

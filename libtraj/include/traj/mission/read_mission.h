@@ -25,6 +25,8 @@ struct FileFlight {
   const MissionFormat* format = nullptr;
   Flown flown;                     // in the map's axes
   std::vector<std::string> notes;  // what its user should know before flying it, for warnings
+  // The profile of data/vehicles that holds the aircraft which the file is for; empty: not known.
+  std::string_view vehicle = {};
 };
 
 // All that is in a file of this text: one flight, or of lines (KML, GeoJSON, glTF) and tables of

@@ -59,6 +59,10 @@ class DjiFlight {
     }
     end();
     for (const Turn& turn : turns_) sweep(turn);
+    if (const DjiAirframe* airframe = airframe_of(mission_.aircraft)) {
+      flown_.climb = airframe->climb;
+      flown_.descent = airframe->descent;
+    }
     flown_.path_stray = kMissionStray;
     flown_.idle_items = mission_.actions;
     flown_.return_height = mission_.return_height;
@@ -291,6 +295,21 @@ const char* action_of(DjiLostLink lost_link) {
 }
 
 }  // namespace
+
+const DjiAirframe* airframe_of(const DjiAircraft& aircraft) {
+  for (const DjiAirframe& known : kDjiAirframes) {
+    if (known.type == aircraft.type) return &known;
+  }
+  return nullptr;
+}
+
+std::string_view vehicle_of(const DjiAircraft& aircraft) {
+  for (const NamedDjiAircraft& known : kDjiAircraft) {
+    if (known.aircraft == aircraft) return known.name;
+  }
+  const DjiAirframe* airframe = airframe_of(aircraft);
+  return airframe ? airframe->vehicle : std::string_view();
+}
 
 DjiMission make_dji_mission(std::span<const Vec3> points, const MissionFrame& frame,
                             const DjiOptions& options) {

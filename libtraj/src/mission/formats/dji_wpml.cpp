@@ -58,7 +58,9 @@ ReadFlights read(std::istream& in, const ReadTask& task) {
   FlownDji flown =
       flown_dji(mission, task.how.placement.mission_frame(task.frame), rules, task.source);
   std::vector<std::string> notes = notes_of(mission, rules, flown);
-  return {{{FlownMission(std::move(flown))}}, std::move(notes)};
+  return {.flights = {{FlownMission(std::move(flown))}},
+          .notes = std::move(notes),
+          .vehicle = vehicle_of(mission.aircraft)};
 }
 
 // Of the turns that were asked for, those that became stops.
@@ -119,6 +121,11 @@ MissionEstimate least_time(const DjiMission& mission, const geom::Polyline& legs
   return out;
 }
 
+double climbs_at_most(const ExportOptions& options) {
+  const DjiAirframe* airframe = airframe_of(options.dji.aircraft);
+  return airframe ? std::max(airframe->climb, airframe->descent) : 0;
+}
+
 WrittenMission write(const MissionTask& task, const geom::Polyline& legs) {
   DjiOptions options = task.options.dji;
   options.home = task.ground;
@@ -128,7 +135,7 @@ WrittenMission write(const MissionTask& task, const geom::Polyline& legs) {
     options.home = options.takeoff->z();
   }
   options.lands = task.options.lands;
-  options.speed = task.options.speed ? task.options.speed : speed_limit(task.limits);
+  options.speed = task.options.speed ? task.options.speed : speed_along_legs(task);
   options.turns = task.turns;
   if (task.options.turns && options.turns.empty()) {
     options.turns.assign(legs.size(), *task.options.turns);
@@ -169,6 +176,7 @@ constinit const MissionFormat kDjiWpml{
                     FileOption::turns, FileOption::start, FileOption::heading,
                     FileOption::lost_link, FileOption::gimbal, FileOption::navigation,
                     FileOption::tracking},
+    .climbs_at_most = climbs_at_most,
     .has_legs = true,
     .is_binary = true,
     .rounding = kMissionRounding,

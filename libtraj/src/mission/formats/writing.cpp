@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geom/import/volume_keep_out.h"
+#include "traj/mission/formats/mission_format.h"
 
 namespace traj {
 
@@ -17,6 +18,15 @@ std::optional<double> speed_limit(const Limits& limits) {
     if (limit) speed = std::min(speed.value_or(*limit), *limit);
   }
   return speed;
+}
+
+std::optional<double> speed_along_legs(const MissionTask& task) {
+  Limits limits = task.limits;
+  const auto climbs_at_most = task.format->climbs_at_most;
+  const double climb = climbs_at_most ? climbs_at_most(task.options) : 0;
+  std::optional<double>& vertical = limits[Limit::vertical_speed];
+  if (climb > 0 && vertical && climb <= *vertical) vertical.reset();
+  return speed_limit(limits);
 }
 
 std::string unchecked_note(const MissionTask& task) {

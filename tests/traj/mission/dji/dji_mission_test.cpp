@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/refusal.h"
+#include "traj/flight/vehicle_profile.h"
 #include "traj/mission/mavlink/examples.h"
 
 namespace traj {
@@ -49,6 +51,38 @@ TEST(FlownDji, RisesToTheFirstWaypointGoesThereAndOn) {
   EXPECT_EQ(flown.speed, 9) << "on the way to the first waypoint";
   EXPECT_TRUE(flown.home_is_said);
   EXPECT_FALSE(flown.lands_below || flown.returns || flown.returns_at);
+}
+
+TEST(DjiAircraft, IsAVehicleThatIsKnownByNameIfItsAirframeIs) {
+  for (const DjiAirframe& airframe : kDjiAirframes) {
+    const auto profile = vehicle_named(airframe.vehicle);
+    ASSERT_TRUE(profile) << airframe.vehicle;
+    EXPECT_EQ(airframe_of({airframe.type, 9}), &airframe);
+    EXPECT_EQ(vehicle_of({airframe.type, 9}), airframe.vehicle) << "of a kind without a name";
+    // Or a check would refuse every mission that is faster than the aircraft climbs.
+    const double most = *profile->vehicle.limits[geom::Limit::vertical_speed];
+    EXPECT_GE(most, std::max(airframe.climb, airframe.descent)) << airframe.vehicle;
+  }
+  for (const NamedDjiAircraft& known : kDjiAircraft) {
+    EXPECT_EQ(vehicle_of(known.aircraft), known.name);
+    ASSERT_TRUE(vehicle_named(known.name)) << known.name;
+    ASSERT_TRUE(airframe_of(known.aircraft)) << known.name;
+    EXPECT_EQ(vehicle_named(known.name)->vehicle.half,
+              vehicle_named(airframe_of(known.aircraft)->vehicle)->vehicle.half)
+        << known.name;
+  }
+  EXPECT_EQ(vehicle_of({60, 0}), "");
+  EXPECT_FALSE(airframe_of({60, 0}));
+}
+
+TEST(FlownDji, ClimbsNoFasterThanTheAircraftCan) {
+  DjiMission m = example();
+  EXPECT_EQ(fly(m).climb, 6);
+  m.aircraft = {99, 1};
+  EXPECT_EQ(fly(m).climb, 10);
+  EXPECT_EQ(fly(m).descent, 8);
+  m.aircraft = {1, 0};
+  EXPECT_EQ(fly(m).climb, 0) << "nobody says how fast it is";
 }
 
 TEST(FlownDji, CountsFromTheGroundThatIsGivenWhereTheMapsHeightIsNotKnown) {

@@ -237,7 +237,7 @@ TEST(Drift, ReturnsOnALineToTheHeightOfDescentUntil115) {
     const auto sweeps = way.drift(near);
     EXPECT_EQ(holds(sweeps, Vec3(50, 80, 73) + from), aslant) << "10 m above the rally point: 40";
     EXPECT_EQ(holds(sweeps, {1.2, 0, 35}), aslant) << "and above home";
-    EXPECT_FALSE(holds(sweeps, {1.2, 0, 20}));
+    EXPECT_FALSE(holds(sweeps, {1.2, 0, 8}));
   }
   Autopilot waits = px4("1.17");
   waits.descends_aslant = true;

@@ -71,6 +71,25 @@ inline constexpr NamedDjiAircraft kDjiAircraft[] = {
     {"m30", {67, 0}, 52}, {"m30t", {67, 1}, 53}, {"m3e", {77, 0}, 66}, {"m3t", {77, 1}, 67},
     {"m3m", {77, 2}, 68}, {"m3d", {91, 0}, 80},  {"m3td", {91, 1}, 81}};
 
+// What is known of all aircraft of a type (droneEnumValue): the profile of data/vehicles that holds
+// them, and the most that they climb and sink, m/s, as DJI publishes it (of type 91 an assumption).
+struct DjiAirframe {
+  int type = 0;
+  std::string_view vehicle;
+  double climb = 0;
+  double descent = 0;
+};
+inline constexpr DjiAirframe kDjiAirframes[] = {{67, "m30", 6, 5},
+                                                {77, "m3e", 6, 6},
+                                                {89, "m350", 6, 5},
+                                                {91, "m3d", 8, 8},
+                                                {99, "m4e", 10, 8}};
+// Null for a type that is not known.
+const DjiAirframe* airframe_of(const DjiAircraft& aircraft);
+// The word of --vehicle for an aircraft: its name if it has one, else that of its airframe's
+// profile. Empty for a type that is not known.
+std::string_view vehicle_of(const DjiAircraft& aircraft);
+
 // What an aircraft does when it loses its controller: exitOnRCLost and executeRCLostAction. It goes
 // on with the mission (goContinue), or leaves it (goBack, landing, hover): that way is not proved.
 enum class DjiLostLink { go_back, go_on, land, hover };
@@ -158,6 +177,9 @@ struct DjiRules {
 //   the waypoint and the places at waypointTurnDampingDist before and behind it; one that passes
 //   through the waypoint, which may swing wide, within that distance of it in plan and within the
 //   difference of these places' heights beyond them. No two turns of a leg may meet.
+// - An aircraft whose airframe is known climbs and sinks no faster than that does, whatever speed
+// the
+//   file asks for.
 // - goHome rises to globalRTHHeight (else `return_height`) where it is lower, flies level to above
 //   home, and lands. Within 50 m of home some aircraft do not rise: all heights between are swept.
 // A return from within 20 m of home, where some land at once, or without a height is no way that is

@@ -72,7 +72,10 @@ struct MissionFormat {
 
   FileOptionSet reads_with = {};   // what may be said beside a file that is read
   FileOptionSet writes_with = {};  // and beside one that is written
-  bool has_legs = false;           // straight legs, rather than the curve itself
+  // m/s that the vehicle climbs and sinks at most, whatever speed along a leg the file asks for; 0:
+  // not known. Null: 0.
+  double (*climbs_at_most)(const ExportOptions& options) = nullptr;
+  bool has_legs = false;  // straight legs, rather than the curve itself
   bool is_binary = false;
   bool is_flown = true;     // a vehicle takes it; else it is a table of paths
   bool says_when = false;   // the file has the instant at which the flight begins

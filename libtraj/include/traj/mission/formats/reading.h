@@ -38,6 +38,8 @@ struct ReadFlights {
   std::vector<Flown> flights;
   std::vector<std::string> notes = {};
   std::vector<std::string> ids = {};  // one a flight; empty: the text has none
+  // The profile of data/vehicles that holds the aircraft which the text is for; empty: not known.
+  std::string_view vehicle = {};
 };
 
 }  // namespace traj

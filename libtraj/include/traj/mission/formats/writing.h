@@ -87,6 +87,9 @@ bool knows_height(const MissionTask& task);
 
 // The largest speed that they allow in every direction, m/s.
 std::optional<double> speed_limit(const Limits& limits);
+// The same for the legs of a file. A vehicle that climbs and sinks no faster than the limits allow,
+// whatever the file asks for (MissionFormat::climbs_at_most), leaves its vertical limit out.
+std::optional<double> speed_along_legs(const MissionTask& task);
 
 // "UNCHECKED: not compared with any map", or nothing.
 std::string unchecked_note(const MissionTask& task);
