@@ -3,6 +3,7 @@
 // Parameters with which an autopilot returns as it was proved, as a file that it loads.
 //
 // Example:
+//   #include "traj/mission/firmware/autopilot_settings.h"
 //   traj::Autopilot pilot = traj::px4("1.17");
 //   pilot.return_height = 75;
 //   std::istringstream file(traj::return_parameters(pilot, {.fenced = true}));
