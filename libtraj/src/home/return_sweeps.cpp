@@ -54,8 +54,10 @@ double speed_at(const ReturnModel& model, const Velocity& velocity, const Plan& 
   return speed;
 }
 
-// Seconds that it goes on before it slows down: if it may be speeding up, until its acceleration
-// has faded. It speeds up no further from a rest than an S-curve is long.
+// On the legs of a mission, seconds that it goes on before it slows down: if it may be speeding up,
+// until its acceleration has faded. It speeds up no further from a rest than an S-curve is long. (A
+// curve is flown by setpoints; from these PX4 begins its way to rest with no acceleration,
+// FlightTaskAuto::activate.)
 double lateness(const ReturnModel& model, const Velocity& velocity, const Plan& plan,
                 double speed) {
   if (!velocity.since) return model.fading;
@@ -220,7 +222,8 @@ Prism braking_region(const ReturnModel& model, const FlightStage& stage) {
     const double speed = speed_at(model, v, begin);
     if (speed == 0) continue;
     const Vec2 along = v.value.head<2>().normalized();
-    const double whole = speed * (factor + lateness(model, v, begin, speed)) + model.stop_length;
+    const double late = stage.legs.empty() ? 0 : lateness(model, v, begin, speed);
+    const double whole = speed * (factor + late) + model.stop_length;
     const double way = std::min(whole, way_to_rest(model, v, begin, speed));
     for (const Vec2& p : begin) {
       out.plan.push_back(p + along * way);
