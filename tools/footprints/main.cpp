@@ -32,7 +32,7 @@ std::vector<cli::FormatOption> format_options() {
           {"--default-height", buildings},
           {"--where", words({&kVector})},
           {"--height-step", words({&kRaster})},
-          {"--height-units", unlike_osm, "--terrain"},
+          {"--height-units", unlike_osm, {"--terrain"}},
           {"--axes", words({&kCityJson, &kCityGml})},
           {"--metres", unlike_osm}};
 }
