@@ -284,6 +284,8 @@ std::optional<std::pair<FlightStage, FlightStage>> ends_of(const FlightStage& st
   if (stage.curve) {
     ends.first.where = {stage.where.front()};
     ends.second.where = {stage.where.back()};
+    ends.first.velocity = {stage.velocity.front()};
+    ends.second.velocity = {stage.velocity.back()};
     ends.first.until = stage.from;
     ends.second.from = stage.until;
     ends.first.curve.reset();

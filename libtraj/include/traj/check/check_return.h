@@ -1,7 +1,6 @@
 #pragma once
 
-// Whether a vehicle comes home by itself from every instant of a record or a drone file, as part of
-// the record's report.
+// Whether a vehicle comes home by itself from every instant of a record or a drone file.
 //
 // Example:
 //   traj::Flier flier;

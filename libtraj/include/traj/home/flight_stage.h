@@ -1,7 +1,6 @@
 #pragma once
 
-// Stages of a flight: where the vehicle may be, and how it may move there. A return may begin in
-// any of them.
+// Stages of a flight: where the vehicle may be, and how it may move there.
 //
 // Example:
 //   const std::vector<traj::FlightStage> stages = traj::stages_of(trajectory);
