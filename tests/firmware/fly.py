@@ -59,6 +59,7 @@ class Firmware:
         self.version = "?"
         self.process = self.link = None
         self.ekf_flags, self.starved = 0, False
+        self.ordered = False  # whether --return-at was obeyed already
         self.lock, self.instance = self._instance()
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix=f"fly-{options.firmware}-"))
 
@@ -410,6 +411,8 @@ class Px4(Firmware):
         """Take-off, then setpoints at 50 Hz in offboard mode, then a landing."""
         self.set_mode(4, 2)
         self.arm()
+        order, action = self.options.return_at or (math.inf, None)
+        order += self.clock
         height = -rows[0][3]
         self.stream("LOCAL_POSITION_NED", 50)
         self.command(CMD_REQUEST_MESSAGE, 242)
@@ -445,10 +448,11 @@ class Px4(Firmware):
         self.link.send("COMMAND_LONG", command=CMD_SET_MODE, param1=1, param2=6)
         begin = state["now"] + 2
         finish = begin + rows[-1][0] + 3
-        run(lambda: state["now"] >= finish, lambda now: max(0.0, now - begin), "the last setpoint")
+        run(lambda: state["now"] >= min(finish, order), lambda now: max(0.0, now - begin), "the last setpoint")
         if self.acks.get(CMD_SET_MODE) != 0:
             raise FlightError("The firmware refused the offboard mode.")
-        self.set_mode(4, 6)
+        self.ordered = state["now"] >= order
+        self.set_mode(*(self.RETURNS[action][1] if self.ordered else (4, 6)))
 
 
 class ArduCopter(Firmware):
@@ -573,12 +577,13 @@ HOLDS = 25  # seconds after the order that a flight is watched which is to stay 
 
 def watch(firmware, options, mission):
     """Waits until the flight is over; returns how it ended, and when by the simulation's clock."""
-    start, last_seen = firmware.clock, time.monotonic()
+    start = clock = firmware.clock
+    last_seen = time.monotonic()
     order, action = options.return_at or (math.inf, None)
     stays = action == "hold"
     lands = (options.setpoints or any(i.command in (CMD_LAND, CMD_RETURN) for i in mission.items) or action) and not stays
-    ordered = None
-    clock, high = firmware.clock, False
+    ordered = clock if firmware.ordered else None
+    high = False
     since = {"hovers": None, "armed on the ground": None}
 
     def lasts(what, holds, seconds):

@@ -60,6 +60,7 @@ struct Ends {
 ReturnReport prove_record(const geom::CollisionScene& scene, const Stages& stages, const Ends& ends,
                           const Flier& flier, const ReturnRules& rules) {
   ReturnTask task = task_of(flier, rules);
+  task.room = flier.allowance(true);  // the model of an autopilot says how missions are followed
   task.home = rules.home ? *rules.home : home_below(scene, ends.begin);
   add_pad(scene, ends.begin, task);
   add_pad(scene, ends.end, task);
