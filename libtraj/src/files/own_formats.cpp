@@ -29,7 +29,8 @@ constexpr Tools kMovingTools = {"skyway-check", "skyway-fleet", "skyway-info"};
 constexpr Tools kTreeTools = {"skyway-plot", "skyway-view", "skyway-render", "skyway-map",
                               "skyway-info"};
 constexpr Tools kCorridorTools = {"skyway-view", "skyway-map", "skyway-info"};
-constexpr Tools kReportTools = {"skyway-view", "skyway-info"};
+constexpr Tools kReportTools = {"skyway-plot", "skyway-view", "skyway-info"};
+constexpr Tools kContingencyTools = {"skyway-check", "skyway-plot", "skyway-view", "skyway-info"};
 constexpr Tools kFlightTools = {"skyway-check", "skyway-view", "skyway-info"};
 constexpr Tools kInfo = {"skyway-info"};
 constexpr Tools kQueryTools = {"skyway-plan", "skyway-bench", "skyway-info"};
@@ -79,6 +80,9 @@ constinit const Format kReports{
     .what = "a stream of reports",
     .begins = geom::any_of<geom::json_of_type<"report">, geom::json_of_type<"pair">>,
     .readers = kReportTools};
+constinit const Format kContingencies{.what = "a stream of ways home (contingencies)",
+                                      .begins = geom::json_of_type<"contingency">,
+                                      .readers = kContingencyTools};
 constinit const Format kFlights{.what = "a stream of simulated flights",
                                 .begins = geom::json_of_type<"flight">,
                                 .readers = kFlightTools};
@@ -103,9 +107,10 @@ constinit const Format kVehicleProfile{.what = "a vehicle profile",
 
 geom::Formats own_formats() {
   static constexpr const Format* kTable[] = {
-      &kShard,   &kBoxMap,  &kRoadmap,    &kLattice,      &kPaths,     &kTrajectories,
-      &kMoving,  &kTrees,   &kCorridors,  &kCertificates, &kReports,   &kFlights,
-      &kAnswers, &kQueries, &kQueryTable, &kFlightLog,    &kBenchmark, &kVehicleProfile};
+      &kShard,        &kBoxMap,        &kRoadmap,   &kLattice,       &kPaths,
+      &kTrajectories, &kMoving,        &kTrees,     &kCorridors,     &kCertificates,
+      &kReports,      &kContingencies, &kFlights,   &kAnswers,       &kQueries,
+      &kQueryTable,   &kFlightLog,     &kBenchmark, &kVehicleProfile};
   return kTable;
 }
 

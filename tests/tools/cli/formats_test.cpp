@@ -62,6 +62,7 @@ const std::map<std::string_view, std::string> kSamples = {
     {"a stream of corridors", record("corridor")},
     {"a stream of certificates", record("certificate")},
     {"a stream of reports", record("report")},
+    {"a stream of ways home (contingencies)", record("contingency")},
     {"a stream of simulated flights", record("flight")},
     {"a stream of answers", record("answer")},
     {"a stream of queries", R"({"id":"a","from":[0,0,10],"to":[50,20,10]})"},

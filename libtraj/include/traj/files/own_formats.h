@@ -26,6 +26,7 @@ extern const geom::Format kTrees;
 extern const geom::Format kCorridors;
 extern const geom::Format kCertificates;
 extern const geom::Format kReports;
+extern const geom::Format kContingencies;
 extern const geom::Format kFlights;
 extern const geom::Format kAnswers;
 extern const geom::Format kQueries;
