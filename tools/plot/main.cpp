@@ -1,4 +1,4 @@
-// skyway-plot: SVG pictures of maps with paths, of motion, and of benchmarks.
+// skyway-plot: SVG pictures of maps with paths, of motion, of ways home, and of benchmarks.
 
 #include <fmt/format.h>
 
@@ -19,6 +19,7 @@
 #include "geom/base/error.h"
 #include "geom/text/counted.h"
 #include "geom/text/excerpt.h"
+#include "home.h"
 #include "motion_profile.h"
 #include "plan_view.h"
 #include "tracking.h"
@@ -199,6 +200,21 @@ std::string fleet(const Options& options) {
   return plot::fleet(flights, approaches);
 }
 
+std::string home(const Options& options) {
+  const cli::ContentKinds kinds{.reports = true,
+                                .contingencies = true,
+                                .expected = "a report, a way home, a trajectory or a flight log"};
+  cli::Contents contents = cli::read_contents(options.inputs, kinds);
+  cli::require_same_map(contents, nullptr);
+  cli::drop_failed(contents);
+  std::vector<plot::HomeFlight> flights =
+      plot::home_flights(contents, options.id.empty() ? std::nullopt : std::optional(options.id));
+  first_of(flights, options,
+           "reports with returns (skyway-check --return) or planned ways home (skyway-plan "
+           "--home)");
+  return flights.size() == 1 ? plot::home(flights.front()) : plot::homes(flights);
+}
+
 struct Verb {
   CLI::App* app;
   std::string (*draw)(const Options&);
@@ -221,6 +237,7 @@ std::vector<Verb> add_verbs(CLI::App& app, Options& options) {
   CLI::App* tracking_verb = add("tracking", "a flight beside its setpoints");
   CLI::App* clearance_verb = add("clearance", "distance to the obstacles along the way");
   CLI::App* bench_verb = add("bench", "times and lengths of planners");
+  CLI::App* home_verb = add("home", "from which instants there is a way home, and why not");
   CLI::App* fleet_verb = add("fleet", "delays, least distances of pairs, flights in the air");
   for (CLI::App* verb : {plan_verb, clearance_verb}) {
     verb->add_option("map", options.map, "box map; - for stdin")->required();
@@ -236,6 +253,11 @@ std::vector<Verb> add_verbs(CLI::App& app, Options& options) {
   clearance_verb->add_option("files", options.inputs, "paths, or trajectories and flights")
       ->required();
   bench_verb->add_option("reports", options.inputs, "reports of skyway-bench")->required();
+  home_verb
+      ->add_option("files", options.inputs,
+                   "reports of skyway-check --return, ways home of skyway-plan --home, and "
+                   "trajectories or flights for the height")
+      ->required();
   fleet_verb->add_option("files", options.inputs, "trajectories; - for stdin")->required();
   fleet_verb
       ->add_option(
@@ -243,20 +265,22 @@ std::vector<Verb> add_verbs(CLI::App& app, Options& options) {
           "pairs that come nearer than this, metres (default: as far as there are twice as "
           "many pairs as flights, at most 200)")
       ->check(CLI::Range(1e-3, 10000.0));
-  for (CLI::App* verb : {plan_verb, profile_verb, tracking_verb, clearance_verb}) {
+  for (CLI::App* verb : {plan_verb, profile_verb, tracking_verb, clearance_verb, home_verb}) {
     verb->add_option("--id", options.id, "only this one");
   }
   for (CLI::App* verb : {plan_verb, clearance_verb}) options.metres.add_to(*verb);
   options.vehicle.add_to(*clearance_verb);
   options.vehicle.add_memory_to(*clearance_verb);
-  return {{plan_verb, plan},           {profile_verb, profile}, {tracking_verb, tracking},
-          {clearance_verb, clearance}, {bench_verb, bench},     {fleet_verb, fleet}};
+  return {{plan_verb, plan},         {profile_verb, profile},
+          {tracking_verb, tracking}, {clearance_verb, clearance},
+          {bench_verb, bench},       {fleet_verb, fleet},
+          {home_verb, home}};
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Draw maps, motion and benchmarks as SVG.", "skyway-plot"};
+  CLI::App app{"Draw maps, motion, ways home and benchmarks as SVG.", "skyway-plot"};
   cli::Common common(app);
   Options options(common);
   const std::vector<Verb> verbs = add_verbs(app, options);

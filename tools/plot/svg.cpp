@@ -143,7 +143,7 @@ void Svg::grid(const Frame& f) {
   }
 }
 
-void Svg::axes(const Frame& f, std::string_view x_label, std::string_view y_label) {
+void Svg::x_axis(const Frame& f, std::string_view label) {
   const std::string_view line = "stroke=\"#444\" stroke-width=\"1\"";
   rectangle({f.left, f.top}, f.width, f.height, "fill=\"none\" stroke=\"#444\" stroke-width=\"1\"");
   const std::vector<double> across = x_marks(f);
@@ -153,6 +153,12 @@ void Svg::axes(const Frame& f, std::string_view x_label, std::string_view y_labe
     polyline({p, {p.x, p.y + 5}}, line);
     text({p.x, p.y + 18}, across_words[i], 12, "middle");
   }
+  if (!label.empty()) text({f.left + f.width / 2, f.top + f.height + 36}, label, 13, "middle");
+}
+
+void Svg::axes(const Frame& f, std::string_view x_label, std::string_view y_label) {
+  x_axis(f, x_label);
+  const std::string_view line = "stroke=\"#444\" stroke-width=\"1\"";
   const std::vector<double> up = y_marks(f);
   const std::vector<std::string> up_words = words_of(up);
   double widest = 0;
@@ -162,7 +168,6 @@ void Svg::axes(const Frame& f, std::string_view x_label, std::string_view y_labe
     text({p.x - 8, p.y + 4}, up_words[i], 12, "end");
     widest = std::max(widest, text_width(up_words[i], 12));
   }
-  if (!x_label.empty()) text({f.left + f.width / 2, f.top + f.height + 36}, x_label, 13, "middle");
   text({f.left - std::max(54.0, widest + 16), f.top + f.height / 2}, y_label, 13, "middle", -90);
 }
 

@@ -38,7 +38,9 @@ class Svg {
   void text_on_white(Point at, std::string_view words, double size, std::string_view anchor);
   // Faint lines at the ticks; drawn before what stands on them.
   void grid(const Frame& frame);
-  // Border, ticks at round values, and the two labels with their units.
+  // Border, ticks at round values of x, and its label with the unit.
+  void x_axis(const Frame& frame, std::string_view label);
+  // The same, with y.
   void axes(const Frame& frame, std::string_view x_label, std::string_view y_label);
 
   std::string str() const { return body_ + "</svg>\n"; }

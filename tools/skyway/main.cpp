@@ -44,7 +44,7 @@ constexpr std::pair<const char*, const char*> kVerbs[] = {
     {"export", "write drone files"},
     {"bench", "compare planners, each path proved"},
     {"render", "draw what the vehicle sees, and pictures of maps"},
-    {"plot", "draw maps, motion and benchmarks as SVG"},
+    {"plot", "draw maps, motion, ways home and benchmarks as SVG"},
     {"view", "show anything in one page for a browser"},
     {"info", "say what is in a file"},
 };

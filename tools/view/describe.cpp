@@ -58,6 +58,7 @@ Reach reach_of(const cli::Contents& contents) {
   for (const auto& [flight, source, line] : contents.flights) {
     for (const auto& s : flight.samples) reach.add(geom::Axes::enu, s.position);
   }
+  for (const auto& [way, source, line] : contents.contingencies) add(way.provenance, way.points);
   for (const auto& [report, source, line] : contents.reports) {
     if (report.place) add(report.provenance, std::vector<Vec3>{*report.place});
   }
@@ -179,6 +180,11 @@ Json describe(const cli::Contents& contents, const std::optional<Frames>& frames
   if (fleet.together()) out["fleet"] = fleet.json(bundle);
   if (frames) out["frames"] = frames_layer(*frames, contents, bundle);
   out["unsolved"] = unsolved(contents);
+  if (!contents.contingencies.empty()) {
+    each("contingencies", contents.contingencies, [&](const auto& r) {
+      return contingency_layer(r.record, axes_of(contents, r.record.provenance), frame, bundle);
+    });
+  }
   each("reports", contents.reports, [&](const auto& r) {
     return report_layer(r.record, axes_of(contents, r.record.provenance), frame);
   });

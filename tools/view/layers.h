@@ -58,6 +58,9 @@ Json path_layer(const geom::PathRecord& path, geom::Axes axes, const LocalFrame&
 Json corridor_layer(const traj::CorridorShape& corridor, geom::Axes axes, const LocalFrame& frame,
                     Bundle& bundle);
 Json report_layer(const traj::ReportSummary& report, geom::Axes axes, const LocalFrame& frame);
+Json return_layer(const traj::ReturnSummary& returns, geom::Axes axes, const LocalFrame& frame);
+Json contingency_layer(const cli::Contingency& way, geom::Axes axes, const LocalFrame& frame,
+                       Bundle& bundle);
 
 // How a trajectory stands in the page: at `count` instants, evenly spaced, or at its joints, at
 // most so many (>= 2).

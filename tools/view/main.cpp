@@ -28,8 +28,9 @@ cli::Contents read(const std::vector<std::string>& files, const cli::DroneFileOp
   const cli::ContentKinds kinds{.archives = true,
                                 .corridors = true,
                                 .reports = true,
+                                .contingencies = true,
                                 .drone_files = &options,
-                                .expected = "a path, a trajectory, a tree, a corridor or a report"};
+                                .expected = "a path, a trajectory, a tree, a corridor, a report or a way home"};
   cli::Contents contents = cli::read_contents(files, kinds);
   cli::require_same_map(contents, contents.map ? &contents.map->record : nullptr, metres);
   return contents;
@@ -101,6 +102,7 @@ int main(int argc, char** argv) {
                         {"paths", contents.paths.size()},
                         {"motions", meta["motions"].size()},
                         {"reports", contents.reports.size()},
+                        {"contingencies", contents.contingencies.size()},
                         {"frames", frames ? frames->list.size() : 0},
                         {"bytes", page.size()}});
     return cli::Exit::yes;

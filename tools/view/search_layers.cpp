@@ -78,6 +78,7 @@ Json report_layer(const traj::ReportSummary& report, geom::Axes axes, const Loca
     out["slower"] = traj::slower_words(*report.duration / *report.duration_bound - 1);
   }
   if (report.exact_ok) out["exact"] = *report.exact_ok;
+  if (report.returns) out["return"] = return_layer(*report.returns, axes, frame);
   Json extremes = Json::array();
   for (const auto& [name, value, time] : report.extremes) {
     extremes.push_back({{"name", name}, {"value", value}});

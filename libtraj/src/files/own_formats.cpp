@@ -29,8 +29,8 @@ constexpr Tools kMovingTools = {"skyway-check", "skyway-fleet", "skyway-info"};
 constexpr Tools kTreeTools = {"skyway-plot", "skyway-view", "skyway-render", "skyway-map",
                               "skyway-info"};
 constexpr Tools kCorridorTools = {"skyway-view", "skyway-map", "skyway-info"};
-constexpr Tools kReportTools = {"skyway-view", "skyway-info"};
-constexpr Tools kContingencyTools = {"skyway-check", "skyway-info"};
+constexpr Tools kReportTools = {"skyway-plot", "skyway-view", "skyway-info"};
+constexpr Tools kContingencyTools = {"skyway-check", "skyway-plot", "skyway-view", "skyway-info"};
 constexpr Tools kFlightTools = {"skyway-check", "skyway-view", "skyway-info"};
 constexpr Tools kInfo = {"skyway-info"};
 constexpr Tools kQueryTools = {"skyway-plan", "skyway-bench", "skyway-info"};

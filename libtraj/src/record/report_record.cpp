@@ -237,6 +237,12 @@ ReportSummary parse_report_record(std::string_view json, std::string_view source
     }
     report.exact_ok = flag(fields, exact, "exact.ok");
   }
+  if (fields.has("return")) {
+    report.returns = parse_return_summary(fields.value("return").dump(), source, line);
+    if (report.ok && !report.returns->ok()) {
+      fields.refuse({.says = "ok is true beside times without a return"});
+    }
+  }
   report.provenance = geom::read_provenance(fields);
   report.limits = geom::read_limits(fields);
   return report;

@@ -41,6 +41,11 @@ def check_plots():
     named = dict(re.findall(r'(k\w+) = "(#[0-9a-f]{6})"', text))
     for name in ("kInk", "kWarning", "kLimit"):
         stands_out(named[name], "#ffffff", WORDS, name)
+    bands = dict(re.findall(r'(k\w+Fill) = "(#[0-9a-f]{6})"', (source / "tools/plot/home_band.h").read_text()))
+    require(len(bands) == 2, f"bands of ways home: {bands}")
+    told_apart([*bands.values(), named["kWarning"]], APART, "bands of ways home")
+    for name, colour in bands.items():
+        stands_out(colour, "#ffffff", MARKS, name)
     require("plot::colour(" in (source / "tools/render/drawing/drawn.cpp").read_text(), "renders have a palette of their own")
 
 
@@ -57,12 +62,12 @@ def check_page():
         for word, behind in itertools.product(("ink", "soft", "good", "bad", "accent"), ("panel", "paper")):
             stands_out(colour[word], colour[behind], WORDS, f"{theme} --{word} on --{behind}")
         stands_out(colour["accent-ink"], colour["accent"], WORDS, f"{theme} --accent-ink")
-        for mark, behind in itertools.product(("zone", "vehicle", "bad"), ("sky", "ground")):
+        for mark, behind in itertools.product(("zone", "vehicle", "bad", "good", "planned"), ("sky", "ground")):
             stands_out(colour[mark], colour[behind], MARKS, f"{theme} --{mark} on --{behind}")
         for curve in ("east", "north", "up", "fourth", "limit"):
             stands_out(colour[curve], colour["panel"], MARKS, f"{theme} --{curve} in plots")
         told_apart([colour[f"mission-{i}"] for i in range(8)], 15, f"{theme} missions")
-        told_apart([colour["good"], colour["bad"]], 15, f"{theme} verdicts")
+        told_apart([colour["good"], colour["planned"], colour["bad"]], 15, f"{theme} verdicts and planned ways")
 
 
 check_plots()

@@ -18,9 +18,10 @@ from page_data import Page
 bin_dir, data = (pathlib.Path(a) for a in sys.argv[1:3])
 
 
-def run(*args, text=None):
-    return subprocess.run([str(bin_dir / args[0]), *map(str, args[1:])], check=True, text=True,
-                          input=text, capture_output=True).stdout
+def run(*args, text=None, yes=True):
+    done = subprocess.run([str(bin_dir / args[0]), *map(str, args[1:])], text=True, input=text, capture_output=True)
+    assert done.returncode in ((0,) if yes else (0, 1)), (args, done.stderr)
+    return done.stdout
 
 
 def enu(p):
@@ -336,6 +337,38 @@ def check_approaches(page, records, fleet):
         assert math.isnan(distance) or abs(math.hypot(across, up) - distance) < 1e-5 * max(1, distance)
 
 
+def check_home(folder, record):
+    """Returns of a report and planned ways, turned like all else; what is not said is not there."""
+    run("skyway-check", folder / "map", folder / "trajectory", "-q", "--return", "--home", "5,30,0", "--return-height", "12",
+        "-o", folder / "returns", yes=False)
+    report = json.loads((folder / "returns").read_text())
+    assert report["return"]["gaps"], "the houses are in no way"
+    made_for = {key: record[key] for key in ("map", "frame", "vehicle", "margin")}
+    way = {"type": "contingency", "id": record["id"], **made_for, "from": 0, "until": 4, "site": "pad", "length": 30.5, "duration": 20.5,
+           "latest_departure": 3, "points": [[5, 30, 20], [5, 40, 20], [5, 40, 0]]}
+    none = {"type": "contingency", "id": record["id"], **made_for, "status": "unreachable", "from": 4, "until": 6, "message": "none"}
+    unbound = {key: value for key, value in way.items() if key != "latest_departure"}
+    (folder / "ways").write_text("".join(json.dumps(r) + "\n" for r in (way, none, unbound, {**way, "latest_departure": None})))
+    run("skyway-view", *[folder / f for f in ("map", "trajectory", "returns", "ways")], "-o", folder / "home.html")
+    page = Page(folder / "home.html")
+    local = lambda p: [v + o for v, o in zip(p, page.meta["origin"], strict=True)]
+    shown, said = page.meta["reports"][0]["return"], report["return"]
+    for key in ("action", "autopilot", "height", "share", "duration", "longest"):
+        assert shown[key] == said[key], key
+    assert shown.get("least_height") == said.get("least_height")
+    close(local(shown["home"]), enu(said["home"]))
+    for one, gap in zip(shown["gaps"], said["gaps"], strict=True):
+        assert all(one[key] == gap[key] for key in ("from", "until", "phase", "reason", "autopilot")) and one.get("box") == gap.get("box")
+        close(local(one["place"]), enu(gap["at"]))
+    ways = page.meta["contingencies"]
+    for point, given in zip(page.points(ways[0]["points"]), way["points"], strict=True):
+        close(point, enu(given))
+    assert (ways[0]["from"], ways[0]["until"], ways[0]["site"], ways[0]["length"], ways[0]["duration"]) == (0, 4, "pad", 30.5, 20.5)
+    assert [w.get("energy") for w in ways] == [True, None, False, True]
+    assert (ways[0]["latest"], ways[2]["latest"]) == (3, 4) and ways[3]["latest"] < 0
+    assert "points" not in ways[1] and ways[1]["message"] == "none"
+
+
 def check_levels(folder):
     """Of many boxes: every box is in the page, to the millimetre, and blocks of each level hold the boxes of their tile."""
     random.seed(8)
@@ -404,6 +437,7 @@ def main(folder):
     run("skyway-view", *files, "--title", "A < B & C", "-o", folder / "again.html")
     assert (folder / "again.html").read_bytes() == page_file.read_bytes()
     check_imported(folder)
+    check_home(folder, record)
     check_levels(folder)
     check_fleet(folder)
 

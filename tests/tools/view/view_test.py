@@ -284,6 +284,105 @@ def shows_failure(browser, folder, page):
     viewer.picture("failed")
 
 
+def shows_home(browser, folder, page):
+    """The autopilot's return and planned ways: from the vehicle, on the bar of the time, in colours and in words."""
+    run("skyway-check", "-q", folder / "map", folder / "trajectory", "--return", "-o", folder / "returns", yes=False)
+    report = json.loads((folder / "returns").read_text())
+    returned, enu = report["return"], lambda p: [p[1], p[0], p[2]]
+    assert report["reason"] == "return" and returned["gaps"] and report["frame"] == "neu"
+    end, gaps = returned["duration"], returned["gaps"]
+    home = returned["home"]
+    made_for = {key: report[key] for key in ("map", "frame", "vehicle", "margin")}
+    way = {"type": "contingency", "id": "q1", **made_for, "site": "pad <1>", "length": 120, "duration": 40,
+           "points": [[home[0], home[1], 90], [home[0] + 30, home[1], 90], [home[0] + 30, home[1], 0]]}
+    ways = [{**way, "from": 0, "until": 0.3 * end, "latest_departure": 0.3 * end},
+            {**way, "from": 0.3 * end, "until": 0.6 * end, "latest_departure": 0.5 * end},
+            {"type": "contingency", "id": "q1", **made_for, "status": "unreachable", "from": 0.6 * end, "until": end, "message": "nowhere"}]
+    (folder / "ways").write_text("".join(json.dumps(w) + "\n" for w in ways))
+    run("skyway-view", *[folder / f for f in ("map", "trajectory", "returns", "ways")], "--title", "Ways home", "-o", page)
+    viewer = Viewer(browser, page)
+    tab = "return document.querySelector('[role=tab][aria-selected=true]').textContent"
+    assert browser.run(tab) == "Ways home"
+    parts = viewer.get("homes")[0]["parts"]
+    assert parts[0]["from"] == 0 and abs(parts[-1]["until"] - end) < 1e-6
+    assert all(a["until"] == b["from"] and a["kind"] != b["kind"] for a, b in zip(parts, parts[1:]))
+    in_gap = lambda t: any(g["from"] <= t <= g["until"] for g in gaps)
+    for part in parts:
+        middle = (part["from"] + part["until"]) / 2
+        kind = "proved" if not in_gap(middle) else "planned" if middle <= 0.5 * end else "none"
+        assert part["kind"] == kind, (part, kind)
+    draws_ways_home(viewer, returned, way, enu)
+    marks = browser.run("return [...document.querySelectorAll('.home-marks span')].map(s => [s.className, s.getBoundingClientRect().left])")
+    assert [kind for kind, _ in marks] == [p["kind"] for p in parts] and marks == sorted(marks, key=lambda m: m[1])
+    jumps_to_gaps(viewer, gaps)
+    colours_ways_home(viewer)
+    browser.key("h")
+    for scheme in ("light", "dark"):
+        viewer.picture(f"home-{scheme}")
+        browser.click("#theme")
+    viewer.quiet()
+
+
+def draws_ways_home(viewer, returned, way, enu):
+    """What is drawn begins at the vehicle, and ends on the ground at home or on the site."""
+    browser, seen = viewer.browser, set()
+    for share in (0.02, 0.2, 0.4, 0.55, 0.9):
+        browser.pointer(("move", *browser.centre("#scrub", share)), ("down",), ("up",))
+        viewer.until("skyway.home.drawn === skyway.time")
+        now, time = viewer.get("home"), viewer.get("time")
+        gap = next((g for g in returned["gaps"] if g["from"] <= time <= g["until"]), None)
+        line = now["none"] if gap else now["proved"]
+        assert bool(now["none"]) == bool(gap) and abs(now["time"] - time) < 1e-9
+        position, home = viewer.get("position"), enu(returned["home"])
+        top = max(position[2], home[2] + returned["height"])
+        expected = [*position, *position[:2], top, *home[:2], top, *home]
+        assert all(abs(a - b) < 1e-2 for a, b in zip(line, expected, strict=True)), (line, expected)
+        planned = time <= 0.5 * returned["duration"]
+        assert bool(now["planned"]) == planned, now
+        if planned:
+            expected = [*position, *(v for p in way["points"] for v in enu(p))]
+            assert all(abs(a - b) < 1e-2 for a, b in zip(now["planned"], expected, strict=True))
+            assert abs(now["left"] - (0.5 * returned["duration"] - time)) < 1e-6
+        said = browser.run("return document.querySelector('.home-now').textContent")
+        assert said == now["words"] and ("No return is proved" in said) == bool(gap), said
+        assert ("pad <1>" in said) == planned and ("No planned way home" in said) != planned, said
+        seen.add((bool(gap), planned))
+    assert len(seen) >= 2, seen
+
+
+def jumps_to_gaps(viewer, gaps):
+    """By the key to times without any way home; by the list to each gap, and to what is met there."""
+    browser = viewer.browser
+    begins = [p["from"] for p in viewer.get("homes")[0]["parts"] if p["kind"] == "none"]
+    browser.run("document.activeElement.blur()")
+    browser.pointer(("move", *browser.centre("#scrub", 0)), ("down",), ("up",))
+    browser.run("document.activeElement.blur()")
+    for begin in [*begins, begins[0]]:
+        browser.key("g")
+        assert abs(viewer.get("time") - begin) < 1e-9, (viewer.get("time"), begin)
+    rows = browser.run("return document.querySelectorAll('.home-details table')[0].querySelectorAll('tbody tr').length")
+    assert rows == len(gaps)
+    browser.click(".home-details tbody button")
+    assert abs(viewer.get("time") - gaps[0]["from"]) < 1e-9
+    chosen = browser.run("return [...document.querySelectorAll('.home-details tr.chosen')].map(r => r.textContent)")
+    assert any("obstacle" in words for words in chosen), chosen
+    assert gaps[0].get("box") is None or viewer.get("picked") is not None
+    place = [gaps[0]["at"][k] for k in (1, 0, 2)]
+    assert all(abs(a - b) < 1e-3 for a, b in zip(viewer.get("target"), place))
+    viewer.picture("home-gap")
+
+
+def colours_ways_home(viewer):
+    """By ways home, by the time that is left, and plainly."""
+    for value, keys in (("left", ["none proved"]), ("velocity", []), ("home", ["return proved", "only a planned way", "none proved"])):
+        viewer.browser.run("const s = [...document.querySelectorAll('#layers select')].find(e => [...e.options].some(o => "
+                           f"o.value === 'home')); s.value = '{value}'; s.dispatchEvent(new Event('change'))")
+        words = viewer.browser.run("return [...[...document.querySelectorAll('.layer')].find(l => l.textContent.startsWith('Motion'))"
+                                   ".querySelectorAll('.keys li')].map(l => l.textContent)")
+        assert words == keys, (value, words)
+        viewer.picture(f"home-{value}")
+
+
 def shows_large_city(browser, folder, page):
     table = run("skyway-synth", "--size", "4200", "--seed", "3")
     run("skyway-import", "-q", "-", "-o", folder / "large", text=table)
@@ -532,6 +631,32 @@ def sets_refused_apart(browser, folder, page):
     viewer.picture("fleet-calm")
 
 
+def lists_homes_of_fleet(browser, folder, page):
+    """The smallest share first; a click chooses the flight, whose way is drawn in parts; returns are no failure of the flights."""
+    run("skyway-check", "-q", folder / "houses", folder / "fleet.flights", "--return", "--return-height", "8", "-o", folder / "fleet.returns", yes=False)
+    reports = [json.loads(line) for line in (folder / "fleet.returns").read_text().splitlines()]
+    assert any(r["return"]["gaps"] for r in reports) and not all(r["return"]["gaps"] for r in reports)
+    run("skyway-view", *[folder / f for f in ("houses", "fleet.flights", "fleet.returns")], "-o", page)
+    viewer = Viewer(browser, page)
+    said = browser.run("return [...document.querySelectorAll('.summary-panel .verdict-line')].map(l => [l.className, l.textContent])")
+    whole = sum(not r["return"]["gaps"] for r in reports)
+    assert any("good" in kind and "All 120 flights passed" in words for kind, words in said), said
+    assert any("bad" in kind and f"from every instant of {whole} of 120 flights" in words for kind, words in said), said
+    browser.run("[...document.querySelectorAll('[role=tab]')].find(t => t.textContent === 'Ways home').click()")
+    listed = browser.run("return [...document.querySelectorAll('tr[data-home]')].map(r => r.dataset.home)")
+    shares = {r["id"]: r["return"]["share"] for r in reports}
+    assert len(listed) == 120 and all(shares[a] <= shares[b] + 1e-9 for a, b in zip(listed, listed[1:])), listed
+    browser.click(f"tr[data-home={listed[0]}] button")
+    assert viewer.get("mission") == listed[0]
+    browser.run("document.activeElement.blur()")
+    browser.key("g")
+    viewer.until("skyway.home.drawn === skyway.time")
+    assert viewer.get("home")["kind"] == "none" and viewer.get("home")["none"]
+    browser.run("const s = [...document.querySelectorAll('#layers select')].find(e => [...e.options].some(o => o.value === 'home'));"
+                "s.value = 'home'; s.dispatchEvent(new Event('change'))")
+    viewer.picture("fleet-home")
+
+
 def finds_flights(viewer):
     browser, listed = viewer.browser, "return [...document.querySelectorAll('.mission')].map(b => b.dataset.mission)"
     assert len(browser.run(listed)) == 120
@@ -688,9 +813,11 @@ def main(folder):
         shows_demo(browser, demo, page)
         shows_frames(browser, demo, page)
         shows_failure(browser, demo, page)
+        shows_home(browser, demo, page)
         shows_large_city(browser, folder, page)
         shows_missions(browser, folder, page)
         shows_fleet(browser, folder, page)
+        lists_homes_of_fleet(browser, folder, page)
         sets_refused_apart(browser, folder, page)
         shows_buildings(browser, folder, page)
         shows_room(browser, folder, page)

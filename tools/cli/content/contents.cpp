@@ -75,6 +75,8 @@ class Records {
       out_.together.push_back({traj::parse_together_record(text, source_, line), source_, line});
     } else if ((type == "report" || type == "flight") && kinds_.reports) {
       out_.reports.push_back({traj::parse_report_record(text, source_, line), source_, line});
+    } else if (type == "contingency" && kinds_.contingencies) {
+      out_.contingencies.push_back({parse_contingency(text, source_, line), source_, line});
     } else {
       fields.refuse({.expected = kinds_.expected, .found = geom::in_quotes(type)});
     }
@@ -216,6 +218,7 @@ void require_same_map(const Contents& contents, const geom::BoxMap* map,
   claims(contents.trees);
   claims(contents.corridors);
   claims(contents.reports);
+  claims(contents.contingencies);
   for (const auto& [record, source, line] : contents.together) {
     if (record.map) same.require_exactly({*record.map, {}, {}, {}}, source, line);
   }

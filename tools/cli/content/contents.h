@@ -1,12 +1,13 @@
 #pragma once
 
-// What the user gave to look at: paths, trajectories, search trees, corridors, reports and flights,
-// maps and lattices, whichever of these a file or a stream holds.
+// What the user gave to look at: paths, trajectories, search trees, corridors, reports, ways home
+// and flights, maps and lattices, whichever of these a file or a stream holds.
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "cli/content/contingency.h"
 #include "cli/content/drone_file.h"
 #include "cli/option/degrees.h"
 #include "cli/option/scenes.h"
@@ -41,6 +42,7 @@ struct Contents {
   std::vector<Read<traj::ReportSummary>> reports;
   std::vector<Read<traj::PairSummary>> pairs;         // beside the reports: flights held against
   std::vector<Read<traj::TogetherSummary>> together;  // one another
+  std::vector<Read<Contingency>> contingencies;
 };
 
 // What is taken beside paths, trajectories, trees and flights: not every picture shows all.
@@ -48,6 +50,7 @@ struct ContentKinds {
   bool archives = false;  // of a map or a lattice
   bool corridors = false;
   bool reports = false;
+  bool contingencies = false;
   // How drone files are read, as paths and the regions beside them; absent: they are refused.
   const DroneFileOptions* drone_files = nullptr;
   // What is expected where a record has another type.

@@ -17,6 +17,14 @@ const reasons = { collision: "collides with an obstacle", bounds: "leaves the bo
   fence: "breaks a fence", takeoff: "would begin inside the ground", return: "returns by a way that is not known",
   discontinuous: "segments do not meet", duration_bound: "claims a bound on its duration that cannot be", duration: "has no valid duration", exact: "refused by the exact check" };
 
+// Refused for its ways home alone.
+function isOfHome(check) { return check.checked === "contingency" || (check.reason === "return" && Boolean(check.return) && !check.place); }
+
+function whyOf(check) {
+  if (check.checked === "contingency") return check.detail || "not every instant has a planned way home";
+  return isOfHome(check) ? "a return is not proved from every instant (Ways home)" : reasons[check.reason] || check.reason;
+}
+
 function worstOf(check) {
   const lengths = ["collision", "bounds", "discontinuous", "fence", "takeoff"];
   if (check.worst === undefined) return null;
@@ -65,18 +73,18 @@ function goToFailure(check) {
 function checkCard(check) {
   const words = check.ok ? "Passed" : "Failed";
   const where = !check.ok && check.place ? facts([
-    ["Why", reasons[check.reason] || check.reason],
+    ["Why", whyOf(check)],
     ["By", worstOf(check)],
     ["Item", check.item === undefined ? null : `${check.item}${check.part ? ` (${check.part})` : ""}`],
     ["That is", check.detail || null],
     [...whenOf(check)],
     ["Place", place(...check.place.map((x, i) => x + origin[i]))],
     ["Obstacle, id in the source", check.box === undefined ? null : String(check.box)],
-  ]) : check.ok ? null : element("p", {}, reasons[check.reason] || check.reason);
+  ]) : check.ok ? null : element("p", {}, whyOf(check));
   return element("article", { class: `check ${check.ok ? "ok" : "failed"}` },
     element("h3", {}, check.id, element("span", { class: `verdict ${check.ok ? "good" : "bad"}` },
       `${check.ok ? "✓" : "✕"} ${words}`)),
-    element("p", { class: "soft" }, [isMission(check) ? "mission" : check.checked || "record", check.duration ? `, ${withUnit(check.duration, 2, "s")}` : "",
+    element("p", { class: "soft" }, [isMission(check) ? "mission" : check.checked === "contingency" ? "planned ways home" : check.checked || "record", check.duration ? `, ${withUnit(check.duration, 2, "s")}` : "",
       check.slower ? `, ${check.slower} (if no path is shorter than the record claims)` : "",
       check.exact === undefined ? "" : `; exact check ${check.exact ? "passed" : "failed"}`].join("")),
     where, checkTable(check),

@@ -64,6 +64,9 @@ function summaryWords() {
   const checks = meta.reports.filter(r => !isOfRefused(r)), failed = checks.filter(r => !r.ok).length;
   if (checks.length) words.push(failed && checks.length === 1 ? "the check failed" : failed ? `${decimals(failed, 0)} of ${count(checks.length, "check")} failed`
     : `${count(checks.length, "check")} passed`);
+  const returned = [...homes.values()].filter(h => h.returned);
+  if (returned.length === 1) words.push(`return proved for ${shareWords(returned[0].returned.share)} of the time`);
+  else if (returned.length) words.push(`return proved from every instant of ${decimals(returned.filter(h => !h.returned.gaps.length).length, 0)} of ${count(returned.length, "flight")}`);
   if (together && together.check) words.push(!together.check.refused ? `${count(together.check.pairs, "pair")} proved apart`
     : `${decimals(together.check.refused, 0)} of ${count(together.check.pairs, "pair")} not proved apart`);
   if (together && together.check && together.check.left_out) words.push(`${count(together.check.left_out, "flight")} refused`);

@@ -28,6 +28,8 @@ const keys = [
   { on: ["4"], shown: ["4"], words: "camera: ride behind it", needs: moving, act: () => setCamera("ride") },
   { on: ["5"], shown: ["5"], words: "camera: both vehicles of a pair", needs: hasPairs, act: () => setCamera("pair") },
   { on: ["j"], shown: ["J"], words: "the nearest pair of flights, and the next", needs: hasPairs, act: () => jumpToNext() },
+  { on: ["g"], shown: ["G"], words: "the next time without a way home; with Shift the one before", needs: hasNone,
+    act: e => jumpToNone(e.shiftKey ? -1 : 1) },
   { on: ["n", "p"], shown: ["N", "P"], words: "next or previous mission", needs: () => manyMissions,
     act: e => selection.step(e.key.toLowerCase() === "n" ? 1 : -1) },
   { on: arrows, shown: ["←", "→", "↑", "↓"], words: "turn the view; with Shift move it", where: "view",

@@ -2,7 +2,7 @@
 
 function makeLayers() {
   const card = byId("layers");
-  const body = element("div", {}, boxLayer(), roomLayer(), pathLayer(), motionLayer(), checkLayer(),
+  const body = element("div", {}, boxLayer(), roomLayer(), pathLayer(), motionLayer(), homeLayer(), checkLayer(),
     stage.parts.corridors.map(corridorLayer),
     stage.parts.trees.map(treeLayer), stage.parts.lattices.map(latticeLayer));
   const fold = element("button", { type: "button", class: "quiet", "aria-expanded": "true",
@@ -78,7 +78,8 @@ function pathLayer() {
 
 // What a fleet may be coloured by beside the quantities: a value of each flight.
 const fleetColours = [["delay", "delay", "s", 1, m => (m.data.delay === undefined ? NaN : m.data.delay)],
-  ["nearest", "nearest approach", "m", 1, m => (m.nearest === undefined ? NaN : m.nearest)]];
+  ["nearest", "nearest approach", "m", 1, m => (m.nearest === undefined ? NaN : m.nearest)],
+  ["home", "time with a way home", "%", 0, m => (homeOf(m.mission) ? 100 * homeOf(m.mission).share : NaN)]];
 
 function fleetLayer() {
   const { fleet } = stage, legend = element("div");
@@ -122,16 +123,19 @@ function motionLayer() {
   const offered = quantities.filter(q => q.key !== "position" && q.key !== "motors" &&
     motions.some(m => available(q, m)));
   const row = element("div", { class: "row" }, element("span", {}, "Colour"), choice("Colour motion by",
-    [["", "plain"], ...offered.map(q => [q.key, q.name.split(",")[0].toLowerCase()])], "",
-    key => colourMotions(quantities.find(q => q.key === key), legend)));
-  colourMotions(null, legend);
+    [["", "plain"], ...(homes.size ? [["home", "way home"]] : []), ...offered.map(q => [q.key, q.name.split(",")[0].toLowerCase()])],
+    homes.size ? "home" : "", key => colourMotions(key, legend)));
+  colourMotions(homes.size ? "home" : "", legend);
   const flights = motions.filter(m => m.isFlight).length;
   const words = flights === motions.length ? count(flights, "flight")
     : flights ? `${motions.length - flights} planned, ${flights} flown` : count(motions.length, "trajectory", "trajectories");
   return layer("Motion", words, stage.motionGroup, [row, legend]);
 }
 
-function colourMotions(quantity, legend) {
+// `key`: of a quantity, "home" for ways home, or "" for plain colours.
+function colourMotions(key, legend) {
+  const quantity = quantities.find(q => q.key === key), plain = () => (manyMissions ? missionKeys() : motionKeys());
+  if (stage.homeLines) stage.homeLines.setMode(key, stage.parts.ribbons);
   const able = motions.filter(m => quantity && available(quantity, m));
   let low = Infinity, high = -Infinity;
   for (const m of able) {
@@ -144,7 +148,8 @@ function colourMotions(quantity, legend) {
     ribbon.colourBy(on ? mainCurve(quantity, ribbon.motion) : null, low, high);
   }
   legend.replaceChildren(...(able.length ? rampLegend(valueStops, withUnit(low, quantity.digits, quantity.unit),
-    withUnit(high, quantity.digits, quantity.unit)) : [manyMissions ? missionKeys() : motionKeys()]));
+    withUnit(high, quantity.digits, quantity.unit)) : [key === "home" ? homeKeys(homeKinds()) : plain()]));
+  if (key === "left") legend.append(homeKeys(["none"]));
   legend.append(element("p", { class: "soft" }, "The vehicle is enlarged from afar."));
   stage.redraw();
 }
@@ -160,6 +165,30 @@ function motionKeys() {
 function missionKeys() {
   const both = motions.some(m => m.isFlight) && motions.some(m => !m.isFlight);
   return element("p", { class: "soft" }, `One colour for each mission, as in the list${both ? "; flown: the darker line" : ""}.`);
+}
+
+function homeKeys(kinds) {
+  return element("ul", { class: "keys" }, kinds.map(kind => element("li", {}, swatch(`var(--${homeColours[kind]})`, kind === "none" ? "line dashed" : "line"),
+    element("span", {}, homeWords[kind]))));
+}
+
+// What is drawn from the vehicle, and what it means now.
+function homeLayer() {
+  if (!homes.size) return null;
+  const now = element("p", { class: "soft home-now" });
+  const say = () => {
+    const words = homeNowWords();
+    if (now.textContent !== words) now.textContent = words;
+  };
+  clock.follow(say);
+  selection.follow(say);
+  const kinds = homeKinds(), keys = [...(kinds.includes("proved") ? [["proved", "line", "autopilot's return"]] : []),
+    ...(kinds.includes("planned") ? [["planned", "line", "planned way home"]] : []),
+    ...(kinds.includes("proved") ? [["none", "line dashed", "return, not proved"]] : [])];
+  const all = [...homes.values()], share = all.reduce((sum, h) => sum + h.share * h.duration, 0) / Math.max(all.reduce((sum, h) => sum + h.duration, 0), 1e-9);
+  return layer("Ways home", shareWords(share), stage.homeWay.object, [element("ul", { class: "keys" }, keys.map(([kind, look, words]) =>
+    element("li", {}, swatch(`var(--${homeColours[kind]})`, look), element("span", {}, words))),
+  element("li", {}, element("b", { class: "swatch-h" }, "H"), element("span", {}, "where it lands"))), now]);
 }
 
 function checkLayer() {

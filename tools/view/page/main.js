@@ -11,9 +11,10 @@ const tabs = makeTabs([
   ...(together && motions.length > 1 ? [["Summary", makeSummaryPanel()]] : []),
   ...(motionPanel ? [["Motion", motionPanel.element]] : manyMissions ? [["Missions", element("div", {}, makeMissionList())]] : []),
   ...(together && motions.length > 1 ? [["Pairs", makePairsPanel()]] : []),
+  ...(homes.size ? [["Ways home", makeHomePanel()]] : []),
   ...(meta.reports.length ? [["Checks", makeChecksPanel()]] : []),
   ["Contents", makeContentsPanel()]]);
-if (!together && meta.reports.some(r => !r.ok)) tabs.show("Checks");
+if (!together && meta.reports.some(r => !r.ok)) tabs.show(meta.reports.every(r => r.ok || isOfHome(r)) ? "Ways home" : "Checks");
 if (together && motions.length > mostAlone) openWhenBusiest();
 stage.view.home();  // now that it is known what the cards leave of the view
 frameFailure();

@@ -1,10 +1,18 @@
 // Signs of one size on the screen: where a path starts and ends, what a vehicle is above,
-// where a check failed.
+// where a way home ends, where a check failed.
 
 const markerShapes = {
   start(c, colour) { ring(c, colour, false); },
   goal(c, colour) { ring(c, colour, true); },
   foot(c, colour) { ring(c, colour, false); },
+  site(c, colour) {
+    disc(c, colour);
+    c.fillStyle = theme.css("panel");
+    c.font = "bold 34px sans-serif";
+    c.textAlign = "center";
+    c.textBaseline = "middle";
+    c.fillText("H", 32, 34);
+  },
   failed(c, colour) {
     disc(c, colour);
     c.strokeStyle = theme.css("panel");

@@ -36,7 +36,7 @@ function missionSwatch({ colour, pattern }) {
 // How a fleet's list may be ordered: words, and what counts of a mission, the least first.
 const missionOrders = [["id", "as in the file", m => m.index], ["start", "departure", m => orderOf(m, x => x.begin)],
   ["delay", "delay, longest first", m => orderOf(m, x => -x.data.delay)],
-  ["nearest", "nearest approach", m => orderOf(m, x => x.nearest)]];
+  ["nearest", "nearest approach", m => orderOf(m, x => x.nearest)], ["home", "time with a way home, least first", m => (homeOf(m) ? homeOf(m).share : Infinity)]];
 
 function orderOf(mission, value) {
   const v = mission.motions.length ? value(mission.motions[0]) : NaN;

@@ -57,7 +57,7 @@ class MotionPanel {
     if (this.frames) this.frames.show(motions.indexOf(selection.motion), shown);
     for (const plot of this.plots) plot.update(now, shown);
     const words = this.hover ? `At ${withUnit(shown, 2, "s")}, under the pointer`
-      : `At ${withUnit(shown, 2, "s")} · dashed: limit${this.plots.some(p => p.motion.joints) ? " · thin uprights: joints of segments" : ""}`;
+      : `At ${withUnit(shown, 2, "s")} · dashed: limit${this.plots.some(p => p.motion.joints) ? " · thin uprights: joints of segments" : ""}${this.plots.some(p => p.none().length) ? " · shaded: no way home" : ""}`;
     if (this.note.textContent !== words) this.note.textContent = words;
   }
 }

@@ -103,10 +103,27 @@ class Plot {
       c.fillStyle = theme.css("soft");
       c.fillText(decimals(value, digits), plotLeft - 6, Math.min(Math.max(y, 7), plotHeight - 7));
     }
+    this.paintNone(c, width);
     c.globalAlpha = 0.6;
     for (const t of this.motion.joints && this.motion.joints.length <= 60 ? this.motion.joints : []) {
       const x = timeToX(t, width);
       line(c, theme.css("line"), x, plotTop, x, plotHeight - plotBottom);
+    }
+    c.globalAlpha = 1;
+  }
+
+  // Times without a way home.
+  none() {
+    const home = homeOf(this.motion.mission);
+    return home ? home.none() : [];
+  }
+
+  paintNone(c, width) {
+    c.fillStyle = theme.css("bad");
+    c.globalAlpha = 0.14;
+    for (const { from, until } of this.none()) {
+      const x = timeToX(from, width);
+      c.fillRect(x, plotTop, Math.max(timeToX(Math.min(until, this.motion.duration), width) - x, 1.5), plotHeight - plotTop - plotBottom);
     }
     c.globalAlpha = 1;
   }

@@ -62,6 +62,8 @@ const quantities = [
     needs: m => m.attitude || m.acceleration, curves: m => one("tilt", tilt(m)) },
   { key: "clearance", name: "Clearance, least of each step", unit: "m", digits: 2, needs: "clearance",
     curves: m => one("to the nearest obstacle", m.clearance, m.clearance_end) },
+  { key: "left", name: "Time left with a way home", unit: "s", digits: 1, needs: m => homeOf(m.mission) && homeOf(m.mission).ways.length > 0,
+    curves: m => one("until there is none", m.column("left", i => homeOf(m.mission).left(m.time[i]))) },
   { key: "error", name: "Tracking error", unit: "m", digits: 3, needs: "error",
     curves: m => one("from the setpoint", m.error) },
 ];

@@ -69,6 +69,12 @@ class Stage {
       this.fleet = new Fleet(motions);
       this.motionGroup.add(this.fleet.object);
     } else for (const motion of motions) this.addMotion(motion);
+    if (homes.size) {
+      this.homeLines = new HomeLines();
+      this.motionGroup.add(this.homeLines.object);
+      this.homeWay = new HomeWay(this.ground.height);
+      this.add(this.homeWay.object);
+    }
     this.pairLine = new PairLine();
     this.add(this.pairLine.object);
     this.checkGroup = this.add(new THREE.Group());
@@ -169,6 +175,10 @@ class Stage {
   // The chosen mission is drawn bolder, and has its line down to the floor.
   showChosen() {
     if (this.fleet) this.standOut(this.chosenMotions());
+    if (this.homeLines) {
+      this.homeLines.show(this.parts.ribbons);
+      this.homeWay.choose(homeOf(selection.mission));
+    }
     const bold = manyMissions ? 1.6 : 1;
     for (const line of this.parts.lines) line.ribbon.setWidth(line.width * (line.mission === selection.mission ? bold : 1));
     for (const vehicle of this.parts.vehicles) {
@@ -295,6 +305,7 @@ class Stage {
     for (const marker of this.parts.markers) marker.resize(perPixel);
     for (const vehicle of this.parts.vehicles) vehicle.update(clock.time, this.view.camera.position, perPixel);
     if (this.fleet) this.fleet.update(clock.time, perPixel, new Set(this.chosenMotions()));
+    if (this.homeWay) this.homeWay.update(perPixel);
     this.pairLine.update(selection.pair, clock.time, this.view.camera, width, height);
     const reach = this.view.orbit.distance + this.view.extent().across * 0.6;
     if (this.boxes) {

@@ -29,6 +29,16 @@ function seesVehicle() {
   return Boolean(at) && !stage.hidden(stage.view.camera.position, at);
 }
 
+// The ways home that are drawn now, in metres of the map.
+function homeState() {
+  const [home, t] = homeNow();
+  if (!home || !stage.homeWay) return null;
+  const metresOf = points => points && Array.from(points, (x, i) => x + origin[i % 3]);
+  const { proved, planned, none } = stage.homeWay.shown;
+  return { id: home.id, time: t, kind: t === null ? null : home.kindAt(t), left: t === null ? null : home.left(t), words: homeNowWords(), drawn: stage.homeWay.time,
+    proved: metresOf(proved), planned: metresOf(planned), none: metresOf(none) };
+}
+
 function exposeState() {
   const values = () => {
     const out = {};
@@ -60,7 +70,8 @@ function exposeState() {
     drawCalls: () => info().calls, triangles: () => info().triangles, frames: () => stage.frames,
     frameMs: () => stage.frameMs,
     trees: () => stage.parts.trees.map(t => ({ id: t.data.id, nodes: t.count, shown: t.shown })),
-    hover: () => (motionPanel && motionPanel.hover
+    homes: () => [...homes.values()].map(h => ({ id: h.id, share: h.share, parts: h.parts.map(p => ({ ...p })) })),
+    home: () => homeState(), hover: () => (motionPanel && motionPanel.hover
       ? { plot: motionPanel.hover.plot.quantity.key, time: motionPanel.hover.time } : null),
     frame: () => (motionPanel && motionPanel.frames && !motionPanel.frames.element.hidden ? motionPanel.frames.index : null),
     values, position, picked: () => (stage.picked ? stage.picked.index : null),

@@ -34,9 +34,17 @@ function pairsVerdict() {
 function mapVerdict() {
   const checks = meta.reports.filter(check => !isOfRefused(check));
   if (!checks.length) return null;
-  const failed = checks.filter(check => !check.ok).length;
+  const failed = checks.filter(check => !check.ok && !isOfHome(check)).length;
   return failed ? ["bad", "✕", `${decimals(failed, 0)} of ${count(checks.length, "flight")} failed the check against the map.`]
     : ["good", "✓", `${checks.length === 1 ? "The flight" : `All ${count(checks.length, "flight")}`} passed the check against the map.`];
+}
+
+// Of the autopilots' returns, where reports have them.
+function homeVerdict() {
+  const returned = [...homes.values()].filter(home => home.returned), whole = returned.filter(home => !home.returned.gaps.length).length;
+  if (!returned.length) return null;
+  return whole < returned.length ? ["bad", "✕", `A way home by the autopilot is proved from every instant of ${decimals(whole, 0)} of ${count(returned.length, "flight")}.`]
+    : ["good", "✓", `A way home by the autopilot is proved from every instant of ${returned.length === 1 ? "the flight" : `all ${count(returned.length, "flight")}`}.`];
 }
 
 function sentence([kind, sign, words]) {
@@ -61,7 +69,7 @@ function makeSummaryPanel() {
   const most = busiest(), { pairs, check } = together, last = clock.duration;
   const when = time => clockWords(time, 1) + (together.epoch ? "" : `${thinSpace}s`);
   const nearest = pairs[0];
-  return element("div", { class: "summary-panel" }, sentence(pairsVerdict()), ...[mapVerdict()].filter(Boolean).map(sentence), refusedNote(),
+  return element("div", { class: "summary-panel" }, sentence(pairsVerdict()), ...[mapVerdict(), homeVerdict()].filter(Boolean).map(sentence), refusedNote(),
     facts([
       ["Flights", decimals(motions.length, 0)],
       ["First departure", when(0)],

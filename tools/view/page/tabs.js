@@ -26,7 +26,7 @@ function makeTabs(panels) {
       show(next);
       buttons[next].focus();
     } }, name));
-  side.append(element("div", { class: "tabs", role: "tablist" }, buttons), ...bodies);
+  side.append(element("div", { class: panels.length > 5 ? "tabs many" : "tabs", role: "tablist" }, buttons), ...bodies);
   show(0);
   return { show: name => show(panels.findIndex(([n]) => n === name)) };
 }

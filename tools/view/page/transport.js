@@ -25,7 +25,7 @@ function timeControls() {
     now.textContent = together && together.epoch ? clockWords(time)
       : `${clockWords(time)} / ${withUnit(clock.duration + (together ? together.begin : 0), 2, "s")}`;
   });
-  return [play, element("div", { class: "scrub" }, scrub, now), rates];
+  return [play, element("div", { class: "scrub" }, homes.size ? element("div", { class: "scrub-track" }, scrub, makeHomeMarks()) : scrub, now), rates];
 }
 
 function availableCameras() {

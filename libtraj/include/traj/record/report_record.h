@@ -22,6 +22,7 @@
 #include "traj/proof/check.h"
 #include "traj/proof/exact/exact_check.h"
 #include "traj/record/return_report.h"
+#include "traj/record/return_summary.h"
 #include "traj/record/trajectory_record.h"
 
 namespace traj {
@@ -100,12 +101,14 @@ struct ReportSummary {
   std::optional<double> duration_bound;  // seconds
   std::vector<Named> extremes;           // of what was measured
   std::optional<bool> exact_ok;          // where the exact check was asked for
+  std::optional<ReturnSummary> returns;  // where it was asked for
   geom::Provenance provenance;
   Limits limits;
 };
 
 // Throws InputError(source, line, …) for anything that is not such a record: malformed JSON, no
-// "ok", a refusal without a reason, a number that is not finite.
+// "ok", a refusal without a reason, a number that is not finite, an "ok" beside times without a
+// return.
 ReportSummary parse_report_record(std::string_view json, std::string_view source, std::size_t line);
 
 }  // namespace traj
