@@ -50,6 +50,7 @@ class Prover {
          bool first_gap_only)
       : scene_(scene), model_(model), task_(task), first_gap_only_(first_gap_only) {
     const Vec3 margin = scene.half() - scene.vehicle().half;
+    astray_ = sure(model.around + task.room);
     extra_ = sure((model.around + task.room - margin).cwiseMax(0));
     half_ = scene.half() + extra_;
     free_ = geom::shrink(scene.map().spec().bounds, half_);
@@ -94,7 +95,7 @@ class Prover {
     const double height = place.above_ground + model_.height;
     const Vec3 above(place.ground.x(), place.ground.y(),
                      place.ground.z() + std::max(height, scene_.half().z() + kStart));
-    const Vec3 beside = extra_ + Vec3(model_.overshoot, model_.overshoot, 0) +
+    const Vec3 beside = astray_ + Vec3(model_.overshoot, model_.overshoot, 0) +
                         Vec3(model_.overshoot_time, model_.overshoot_time, 0) * model_.speed;
     const LandingGround ground = landing_ground(scene_, above, beside, kLevel);
     return ground.whole && std::abs(ground.height - place.ground.z()) <= kLevel;
@@ -140,7 +141,7 @@ class Prover {
     const Aabb box = box_of(region);
     const Vec3 middle = 0.5 * (box.min + box.max);
     const Vec3 above(middle.x(), middle.y(), region.high);
-    Vec3 beside = 0.5 * (box.max - box.min) + extra_;
+    Vec3 beside = 0.5 * (box.max - box.min) + astray_;
     beside.z() = 0;
     const LandingGround ground = landing_ground(scene_, above, beside, kLevel);
     if (ground.whole && std::abs(ground.height - task_.home.z()) <= kLevel) return std::nullopt;
@@ -221,7 +222,8 @@ class Prover {
   const ReturnModel& model_;
   const ReturnTask& task_;
   bool first_gap_only_;
-  Vec3 extra_;  // beside the half sizes of the scene
+  Vec3 astray_;  // what it may be off its way, and wrong about its place
+  Vec3 extra_;   // of that, what is beyond the half sizes of the scene
   Vec3 half_;
   std::optional<Aabb> free_;
   std::vector<ReturnPlace> places_;  // home last
