@@ -14,7 +14,7 @@
 #include <string>
 
 #include "geom/base/parallel.h"
-#include "thin_return.h"
+#include "support/thin_return.h"
 #include "traj/curve/control_points.h"
 #include "traj/mission/formats/wpl.h"
 #include "traj/mission/mavlink/mission_flight.h"
@@ -24,8 +24,8 @@ namespace {
 using geom::Aabb;
 using geom::Vec2;
 using geom::Vec3;
+using support::Choice;
 using support::Random;
-using thin_return::Choice;
 
 // Where the vehicle is at an instant, and how fast; and a moment later, on the same piece.
 struct Instant {
@@ -96,8 +96,8 @@ void fly_curve(Random& random, Case& c) {
     begin = segment.point.back();
     trajectory.segments.push_back(segment);
   }
-  const auto which = static_cast<std::size_t>(
-      random.below(static_cast<int>(trajectory.segments.size())));
+  const auto which =
+      static_cast<std::size_t>(random.below(static_cast<int>(trajectory.segments.size())));
   double before = 0;
   for (std::size_t i = 0; i < which; ++i) before += trajectory.segments[i].duration;
   const traj::Segment& piece = trajectory.segments[which];
@@ -154,8 +154,8 @@ void fly_mission(Random& random, Case& c) {
     text += fmt::format("{}\t0\t3\t{}\t{}\t{:.2f}\t0\t0\t{:.7f}\t{:.7f}\t{:.3f}\t1\n", lines++,
                         command, hold, radius, 47 + p.y() / 111171, 8 + p.x() / 76057, p.z());
   };
-  text += fmt::format("{}\t0\t3\t22\t0\t0\t0\t0\t47\t8\t{:.3f}\t1\n", lines++,
-                      random.uniform(60, 90));
+  text +=
+      fmt::format("{}\t0\t3\t22\t0\t0\t0\t0\t47\t8\t{:.3f}\t1\n", lines++, random.uniform(60, 90));
   for (int i = 2 + random.below(3); i > 0; --i) {
     add(traj::kWaypoint, random.below(2) * 2, random.below(2) ? random.uniform(0.5, 20) : 0);
   }
@@ -196,7 +196,7 @@ Case any_case(Random& random, bool lands_on_roof) {
   for (double& size : c.half) size = point ? 0 : random.stepped(0, 1, 0.0625);
   c.margin = point ? 0 : random.stepped(0, 1, 0.125);
   for (int i = 1 + random.below(2); i > 0; --i) {
-    c.task.models.push_back(thin_return::any_model(random));
+    c.task.models.push_back(support::any_return_model(random));
   }
   c.model = static_cast<std::size_t>(random.below(static_cast<int>(c.task.models.size())));
   if (random.below(3) == 0) {
@@ -293,13 +293,13 @@ std::string phase_of(const Case& c, std::size_t part, double share) {
 Attack touch(Random& random, const Case& c) {
   const traj::ReturnModel& model = c.attacked();
   const Instant& now = c.instant;
-  const Choice choice = thin_return::any_choice(random);
-  const auto places = thin_return::nearest(model, c.task, now.at);
+  const Choice choice = support::any_choice(random);
+  const auto places = support::nearest(model, c.task, now.at);
   const Vec3 place =
       places[static_cast<std::size_t>(random.below(static_cast<int>(places.size())))];
-  const auto way = thin_return::way_of(model, c.task, now.at, now.velocity, place, choice);
+  const auto way = support::way_of(model, c.task, now.at, now.velocity, place, choice);
   const auto later =
-      thin_return::way_of(model, c.task, now.at_later, now.velocity_later, place, choice);
+      support::way_of(model, c.task, now.at_later, now.velocity_later, place, choice);
   const auto part = static_cast<std::size_t>(random.below(static_cast<int>(way.size()) - 1));
   const double share = random.below(3) ? random.uniform(0, 1) : random.below(2);
   const auto at = [&](const std::vector<Vec3>& points) {
@@ -307,7 +307,7 @@ Attack touch(Random& random, const Case& c) {
   };
   const Vec3 touched = at(way);
   const Vec3 normal = normal_of(random, way[part + 1] - way[part], at(later) - touched);
-  const Vec3 reach = thin_return::reach(c.scene(), model, c.task);
+  const Vec3 reach = support::reach(c.scene(), model, c.task);
   const Aabb box = box_beside(random, touched, normal, reach, any_depth(random));
   if (box.max.z() <= c.task.home.z()) return touch(random, c);  // the vehicle stands on it
   return {phase_of(c, part, share), {box}};

@@ -6,11 +6,12 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <map>
 #include <sstream>
 #include <string>
 
 #include "geom/base/parallel.h"
-#include "thin_return.h"
+#include "support/thin_return.h"
 #include "traj/mission/formats/wpl.h"
 #include "traj/mission/mavlink/mission_flight.h"
 
@@ -21,10 +22,10 @@ using geom::Vec2;
 using geom::Vec3;
 using support::Random;
 
-constexpr double kStep = 0.1;    // m between points of a return
-constexpr double kSide = 150;    // m from the middle to the map's bounds
-constexpr double kHigh = 160;    // m of the bounds
-constexpr double kInside = 1e-6; // m that a point must be inside of an obstacle, for rounding
+constexpr double kStep = 0.1;     // m between points of a return
+constexpr double kSide = 150;     // m from the middle to the map's bounds
+constexpr double kHigh = 160;     // m of the bounds
+constexpr double kInside = 1e-6;  // m that a point must be inside of an obstacle, for rounding
 
 struct Instant {
   double time = 0;
@@ -46,8 +47,8 @@ geom::CollisionScene random_scene(Random& random) {
   for (int i = 5 + random.below(30); i > 0; --i) {
     const Vec3 low(random.uniform(-kSide, kSide), random.uniform(-kSide, kSide),
                    random.below(6) ? 0 : random.uniform(20, 60));
-    boxes.push_back({low, low + Vec3(random.uniform(0.1, 20), random.uniform(0.1, 20),
-                                     random.uniform(5, 60))});
+    boxes.push_back(
+        {low, low + Vec3(random.uniform(0.1, 20), random.uniform(0.1, 20), random.uniform(5, 60))});
   }
   geom::BoxTable table = support::table_of(boxes);
   if (random.below(4) == 0) {
@@ -70,10 +71,12 @@ Vec3 somewhere(Random& random) {
 
 void fly_curve(Random& random, Case& c) {
   traj::State state{somewhere(random)};
+  state.position.z() = random.uniform(35, 55);
   for (int i = 2 + random.below(3); i > 0; --i) {
     traj::State next{somewhere(random)};
+    next.position.z() = std::clamp(state.position.z() + random.uniform(-6, 6), 30.0, 60.0);
     if (i > 1) {
-      next.velocity = Vec3(random.uniform(-8, 8), random.uniform(-8, 8), random.uniform(-2, 2));
+      next.velocity = Vec3(random.uniform(-8, 8), random.uniform(-8, 8), random.uniform(-1, 1));
     }
     const double lasts = (next.position - state.position).norm() / random.uniform(4, 10) + 2;
     c.trajectory.segments.push_back(traj::hermite(state, next, lasts));
@@ -113,7 +116,7 @@ void fly_mission(Random& random, Case& c) {
 
 Case random_case(Random& random) {
   Case c{random_scene(random)};
-  c.task.models = {thin_return::any_model(random)};
+  c.task.models = {support::any_return_model(random)};
   c.task.home = somewhere(random);
   c.task.home.z() = 0;
   if (random.below(2)) {
@@ -147,8 +150,7 @@ Instant curve_instant(Random& random, const Case& c) {
 // On a leg, no faster than it may be between two rests; or at rest beside it, in a region.
 Instant mission_instant(Random& random, const traj::Drift& drift, double deceleration) {
   if (random.below(2)) {
-    const auto i =
-        static_cast<std::size_t>(random.below(static_cast<int>(drift.legs.size())));
+    const auto i = static_cast<std::size_t>(random.below(static_cast<int>(drift.legs.size())));
     const traj::TimedLeg& leg = drift.legs[i];
     if (leg.part.manoeuvre == traj::Manoeuvre::return_home) {
       return mission_instant(random, drift, deceleration);
@@ -160,7 +162,7 @@ Instant mission_instant(Random& random, const traj::Drift& drift, double deceler
     const double fast =
         std::min(way.norm() / (leg.until - leg.from), std::sqrt(deceleration * nearer));
     const Vec3 v = way.norm() > 0 ? Vec3(fast * way.normalized()) : Vec3(Vec3::Zero());
-    const bool vertical = thin_return::across(leg.a, leg.b) == 0;
+    const bool vertical = support::across(leg.a, leg.b) == 0;
     return {leg.from + share * (leg.until - leg.from), leg.a + share * way, v, vertical};
   }
   const auto i = static_cast<std::size_t>(random.below(static_cast<int>(drift.sweeps.size())));
@@ -243,12 +245,12 @@ bool meets(const Case& c, const Vec3& reach, const Vec3& p, std::optional<double
 // there at the time at which the vehicle comes by.
 bool meets_something(Random& random, const Case& c, const traj::ReturnModel& model,
                      const Instant& now) {
-  const thin_return::Choice choice = thin_return::any_choice(random);
-  const auto places = thin_return::nearest(model, c.task, now.at);
+  const support::Choice choice = support::any_choice(random);
+  const auto places = support::nearest(model, c.task, now.at);
   const Vec3 place =
       places[static_cast<std::size_t>(random.below(static_cast<int>(places.size())))];
-  const auto way = thin_return::way_of(model, c.task, now.at, now.velocity, place, choice);
-  const Vec3 reach = thin_return::reach(c.scene, model, c.task);
+  const auto way = support::way_of(model, c.task, now.at, now.velocity, place, choice);
+  const Vec3 reach = support::reach(c.scene, model, c.task);
   double time = now.time;
   for (std::size_t i = 0; i + 1 < way.size(); ++i) {
     const Vec3 step = way[i + 1] - way[i];
@@ -267,11 +269,12 @@ bool meets_something(Random& random, const Case& c, const traj::ReturnModel& mod
   return false;
 }
 
-bool has_gap(const traj::ReturnReport& report, double time) {
+// The gap that holds the instant, or null.
+const traj::ReturnGap* gap_at(const traj::ReturnReport& report, double time) {
   for (const traj::ReturnGap& gap : report.gaps) {
-    if (gap.from <= time + 1e-9 && gap.until >= time - 1e-9) return true;
+    if (gap.from <= time + 1e-9 && gap.until >= time - 1e-9) return &gap;
   }
-  return false;
+  return nullptr;
 }
 
 struct Counts {
@@ -279,9 +282,14 @@ struct Counts {
   std::size_t ok = 0;
   std::size_t instants = 0;
   std::size_t met = 0;
-  std::size_t wrong = 0;      // met, and in no gap
-  std::size_t in_gaps = 0;    // instants
-  std::size_t confirmed = 0;  // of these, where a return was found that meets something
+  std::size_t wrong = 0;  // met, and in no gap
+  // By the kind of flight and the reason of its gap: instants in gaps, and those of them where a
+  // return was found that meets something.
+  struct Confirmed {
+    std::size_t in_gaps = 0;
+    std::size_t found = 0;
+  };
+  std::map<std::string, Confirmed> confirmed = {};
   double share = 0;
 
   void operator+=(const Counts& other) {
@@ -290,8 +298,10 @@ struct Counts {
     instants += other.instants;
     met += other.met;
     wrong += other.wrong;
-    in_gaps += other.in_gaps;
-    confirmed += other.confirmed;
+    for (const auto& [why, one] : other.confirmed) {
+      confirmed[why].in_gaps += one.in_gaps;
+      confirmed[why].found += one.found;
+    }
     share += other.share;
   }
 };
@@ -307,20 +317,23 @@ Counts judge(std::size_t i, unsigned seed) {
   for (int k = 0; k < kInstants; ++k) {
     const auto m = static_cast<std::size_t>(random.below(static_cast<int>(c.task.models.size())));
     const traj::ReturnModel& model = c.task.models[m];
-    const Instant now = c.drift.empty()
-                            ? curve_instant(random, c)
-                            : mission_instant(random, c.drift[m], model.deceleration);
+    const Instant now = c.drift.empty() ? curve_instant(random, c)
+                                        : mission_instant(random, c.drift[m], model.deceleration);
     bool met = false;
     for (int way = 0; way < kWays && !met; ++way) met = meets_something(random, c, model, now);
-    const bool gap = has_gap(report, now.time);
+    const traj::ReturnGap* gap = gap_at(report, now.time);
     ++out.instants;
     out.met += met;
-    out.in_gaps += gap;
-    out.confirmed += gap && met;
+    if (gap) {
+      Counts::Confirmed& one = out.confirmed[fmt::format(
+          "{}: {}, {}", c.drift.empty() ? "curve" : "mission", gap->phase, name(gap->reason))];
+      ++one.in_gaps;
+      one.found += met;
+    }
     if (!met || gap) continue;
     if (++out.wrong == 1) {
-      fmt::print("flight {}: at {} s in [{}, {}, {}] {} meets something\n", i, now.time,
-                 now.at.x(), now.at.y(), now.at.z(), model.autopilot);
+      fmt::print("flight {}: at {} s in [{}, {}, {}] {} meets something\n", i, now.time, now.at.x(),
+                 now.at.y(), now.at.z(), model.autopilot);
     }
   }
   return out;
@@ -339,8 +352,10 @@ int main(int argc, char** argv) {
              all.flights, all.ok, 100 * all.share / static_cast<double>(all.flights));
   fmt::print("{} instants: {} with a return that meets something, {} of them in no gap\n",
              all.instants, all.met, all.wrong);
-  fmt::print("{} instants in gaps: {} confirmed ({:.1f} %)\n", all.in_gaps, all.confirmed,
-             100.0 * static_cast<double>(all.confirmed) /
-                 static_cast<double>(std::max<std::size_t>(1, all.in_gaps)));
+  for (const auto& [why, one] : all.confirmed) {
+    fmt::print("{:28} {:6} instants in gaps, {:6} confirmed ({:.0f} %)\n", why, one.in_gaps,
+               one.found,
+               100.0 * static_cast<double>(one.found) / static_cast<double>(one.in_gaps));
+  }
   return all.wrong != 0;
 }

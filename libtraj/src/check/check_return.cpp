@@ -6,6 +6,7 @@
 
 #include "geom/base/usage_error.h"
 #include "traj/curve/vertical_ends.h"
+#include "traj/home/return_certificate.h"
 
 namespace traj {
 namespace {
@@ -27,7 +28,11 @@ ReturnTask task_of(const Flier& flier, const ReturnRules& rules) {
 ReturnReport prove(const geom::CollisionScene& scene, const std::vector<Stages>& stages,
                    const ReturnTask& task, const ReturnRules& rules) {
   ReturnReport report = prove_return(scene, stages, task);
-  if (rules.least_height) report.least_height = least_return_height(scene, stages, task);
+  report.least_sought = rules.least_height && rules.action == ReturnAction::rtl;
+  if (report.least_sought) report.least_height = least_return_height(scene, stages, task);
+  if (rules.reasons && report.ok()) {
+    report.reasons = return_reasons(scene, task, proved_stages(scene, stages, task));
+  }
   return report;
 }
 
@@ -95,7 +100,10 @@ ReturnReport check_return(const geom::CollisionScene& scene, const geom::PathRec
   }
   FlownMission mission;
   mission.path = record.points;
-  return prove_record(scene, stages_of(mission, *rules.speed), record.points.front(), flier, rules);
+  ReturnReport report =
+      prove_record(scene, stages_of(mission, *rules.speed), record.points.front(), flier, rules);
+  for (ReturnGap& gap : report.gaps) gap.part.reset();  // a path has no items
+  return report;
 }
 
 ReturnReport check_return(const geom::CollisionScene& scene, const FileFlight& file,

@@ -49,10 +49,9 @@ class Prover {
   Prover(const geom::CollisionScene& scene, const ReturnModel& model, const ReturnTask& task,
          bool first_gap_only)
       : scene_(scene), model_(model), task_(task), first_gap_only_(first_gap_only) {
-    const Vec3 margin = scene.half() - scene.vehicle().half;
     astray_ = sure(model.around + task.room);
-    extra_ = sure((model.around + task.room - margin).cwiseMax(0));
-    half_ = scene.half() + extra_;
+    half_ = return_half(scene, model, task);
+    extra_ = half_ - scene.half();
     free_ = geom::shrink(scene.map().spec().bounds, half_);
     for (const Vec3& rally : task.rally) {
       const double ground = task.home.z();
@@ -65,17 +64,46 @@ class Prover {
   void prove(const FlightStage& stage) {
     if (done()) return;
     const auto found = obstruction(stage);
-    if (!found) return;
+    if (!found) return keep(stage);
     const auto parts = extent(stage) > task_.finest ? halves(stage) : std::nullopt;
-    if (!parts || blocked_all_along(stage)) return add_gap(stage, *found);
+    if (!parts) return add_gap(stage, *found);
+    if (const auto all_along = met_all_along(stage)) return add_gap(stage, *all_along);
     prove(parts->first);
     prove(parts->second);
   }
 
   std::vector<ReturnGap> gaps;
   double longest = 0;  // s
+  bool keeps = false;  // what it proves:
+  std::vector<ProvedStage> proved;
 
  private:
+  void keep(const FlightStage& stage) {
+    if (!keeps) return;
+    ProvedStage one{0, stage, {}, 0};
+    for (std::vector<ReturnSweep>& sweeps : all_sweeps(stage)) {
+      one.lasts = std::max(one.lasts, longest_seconds(model_, sweeps));
+      one.sweeps.insert(one.sweeps.end(), sweeps.begin(), sweeps.end());
+    }
+    proved.push_back(std::move(one));
+  }
+
+  // To each place where it may land.
+  std::vector<std::vector<ReturnSweep>> all_sweeps(const FlightStage& stage) const {
+    if (task_.action == ReturnAction::hold) return {holding_sweeps(model_, stage)};
+    if (task_.action == ReturnAction::land) return {sweeps_below(stage)};
+    std::vector<std::vector<ReturnSweep>> out;
+    for (const std::size_t i : nearest_places(braking_region(model_, stage))) {
+      out.push_back(return_sweeps(model_, stage, places_[i]));
+    }
+    return out;
+  }
+
+  std::vector<ReturnSweep> sweeps_below(const FlightStage& stage) const {
+    const double floor = scene_.map().spec().bounds.min.z();
+    return landing_sweeps(model_, stage, task_.home.z(), floor);
+  }
+
   bool done() const { return first_gap_only_ && !gaps.empty(); }
 
   // A trajectory has no items.
@@ -123,8 +151,7 @@ class Prover {
     if (!model_.known) return Obstruction{ReturnPhase::landing, Reason::return_home, task_.home};
     if (task_.action == ReturnAction::hold) return first_met(stage, holding_sweeps(model_, stage));
     if (task_.action == ReturnAction::land) {
-      const double floor = scene_.map().spec().bounds.min.z();
-      const auto sweeps = landing_sweeps(model_, stage, task_.home.z(), floor);
+      const auto sweeps = sweeps_below(stage);
       if (const auto met = first_met(stage, sweeps)) return met;
       return uneven_below(sweeps.front().region);
     }
@@ -207,15 +234,15 @@ class Prover {
     return std::nullopt;
   }
 
-  // Whether returns from both ends of the stage meet the same. Then those between most often do
-  // too, and it is not worth while to divide the stage.
-  bool blocked_all_along(const FlightStage& stage) {
+  // What returns from both ends of the stage meet, if that is the same. Then those between most
+  // often do too, and it is not worth while to divide the stage.
+  std::optional<Obstruction> met_all_along(const FlightStage& stage) {
     const auto ends = ends_of(stage);
-    if (!ends) return false;
+    if (!ends) return std::nullopt;
     const auto early = obstruction(ends->first);
-    if (!early) return false;
+    if (!early) return std::nullopt;
     const auto late = obstruction(ends->second);
-    return late && early->is_same(*late);
+    return late && early->is_same(*late) ? early : std::nullopt;
   }
 
   const geom::CollisionScene& scene_;
@@ -285,6 +312,30 @@ ReturnReport prove_return(const geom::CollisionScene& scene,
                           std::span<const std::vector<FlightStage>> stages,
                           const ReturnTask& task) {
   return prove(scene, stages, task, false);
+}
+
+Vec3 return_half(const geom::CollisionScene& scene, const ReturnModel& model,
+                 const ReturnTask& task) {
+  const Vec3 margin = scene.half() - scene.vehicle().half;
+  return scene.half() + sure((model.around + task.room - margin).cwiseMax(0));
+}
+
+std::vector<ProvedStage> proved_stages(const geom::CollisionScene& scene,
+                                       std::span<const std::vector<FlightStage>> stages,
+                                       const ReturnTask& task) {
+  require_task(stages, task);
+  std::vector<ProvedStage> out;
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    Prover prover(scene, task.models[i], task, true);
+    prover.keeps = true;
+    for (const FlightStage& stage : stages[i]) prover.prove(stage);
+    if (!prover.gaps.empty()) return {};
+    for (ProvedStage& one : prover.proved) {
+      one.model = i;
+      out.push_back(std::move(one));
+    }
+  }
+  return out;
 }
 
 std::optional<double> least_return_height(const geom::CollisionScene& scene,

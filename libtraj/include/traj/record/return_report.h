@@ -41,7 +41,9 @@ struct ReturnReport {
   double duration = 0;                      // s, of the flight
   double longest = 0;                       // s that a return may take: an estimate
   std::vector<ReturnGap> gaps = {};         // ascending, apart
+  bool least_sought = false;                // whether it was looked for:
   std::optional<double> least_height = {};  // m above home with which there is no gap
+  std::string reasons = {};                 // JSON (return_reasons), where they are asked for
 
   bool ok() const { return gaps.empty(); }
   double share() const;  // of the time from which a return is proved, 0 to 1

@@ -11,11 +11,9 @@
 #include "support/random_city.h"
 #include "traj/home/return_proof.h"
 
-namespace thin_return {
+namespace support {
 
-using geom::Vec2;
 using geom::Vec3;
-using support::Random;
 
 // What a vehicle may choose, each 0 to 1.
 struct Choice {
@@ -65,8 +63,8 @@ inline double cruise(const traj::ReturnModel& model, const traj::ReturnTask& tas
                      const Vec3& resting, const Vec3& place, const Choice& choice) {
   const double ground = task.home.z();
   const double above = place.z() - ground;
-  const double asked = model.rally_adds ? place.z() + model.height
-                                        : ground + std::max(model.height, above);
+  const double asked =
+      model.rally_adds ? place.z() + model.height : ground + std::max(model.height, above);
   double z = std::max(asked, resting.z() + model.least_climb);
   const double away = across(resting, place);
   if (choice.low && model.low_within > 0 && away < model.low_within) z = resting.z();
@@ -123,7 +121,7 @@ inline Vec3 reach(const geom::CollisionScene& scene, const traj::ReturnModel& mo
 }
 
 // A model without any room: what it does is the thin way itself. And others.
-inline traj::ReturnModel thin_model(Random& random) {
+inline traj::ReturnModel thin_return_model(Random& random) {
   traj::ReturnModel model;
   model.autopilot = "thin";
   model.height = random.stepped(20, 80, 0.25);
@@ -135,11 +133,11 @@ inline traj::ReturnModel thin_model(Random& random) {
   return model;
 }
 
-inline traj::ReturnModel any_model(Random& random) {
+inline traj::ReturnModel any_return_model(Random& random) {
   switch (random.below(6)) {
     case 0:
     case 1:
-      return thin_model(random);
+      return thin_return_model(random);
     case 2:
       return traj::return_model(traj::px4());
     case 3:
@@ -149,7 +147,7 @@ inline traj::ReturnModel any_model(Random& random) {
     default:
       break;
   }
-  traj::ReturnModel model = thin_model(random);
+  traj::ReturnModel model = thin_return_model(random);
   model.autopilot = "any";
   model.jerk = random.uniform(1, 8);
   model.reaction = random.uniform(0, 1);
@@ -167,4 +165,4 @@ inline traj::ReturnModel any_model(Random& random) {
   return model;
 }
 
-}  // namespace thin_return
+}  // namespace support
