@@ -56,7 +56,9 @@ Checks Checker::path(const geom::PathRecord& record, const std::string& source,
   if (record.status != geom::PathStatus::found) return {traj::unsolved_report(record)};
   const auto scene = scenes_.shared_scene_for(record.provenance, source, line);
   rules_.metres.check_input(scene->map().spec().frame, record.points, source, line);
-  Checks out{traj::check_record(*scene, record, rules_.record, source, line),
+  traj::RecordRules rules = rules_.record;
+  if (rules_.returns) rules.asked[traj::Limit::speed].reset();  // it is flown with that
+  Checks out{traj::check_record(*scene, record, rules, source, line),
              profile_.rows(record.id, *scene, record.points)};
   if (rules_.returns) {
     out.report.returns = traj::check_return(*scene, record, *rules_.flier, *rules_.returns);

@@ -49,8 +49,10 @@ struct Options {
   bool decides_exactly() const { return exact || !certificate.empty(); }
   std::optional<traj::ReturnRules> return_rules() const {
     if (!returns.asked()) return std::nullopt;
-    return returns.rules(drone_file.reading.rules.return_height,
-                         limits.limits()[traj::Limit::speed]);
+    traj::ReturnRules rules =
+        returns.rules(drone_file.reading.rules.return_height, limits.limits()[traj::Limit::speed]);
+    rules.reasons = !certificate.empty();
+    return rules;
   }
   checking::Rules rules() const {
     return {{.asked = limits.limits(),

@@ -105,7 +105,9 @@ std::string Reports::certificate(const traj::ReportRecord& report) const {
     record.start = report.time.start;
     record.stands = files_.parks;
   }
-  return to_json_line(record);
+  std::string lines = to_json_line(record);
+  if (report.returns) lines += traj::return_certificate_line(report, map_);
+  return lines;
 }
 
 }  // namespace checking

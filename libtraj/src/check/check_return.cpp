@@ -6,6 +6,7 @@
 
 #include "geom/base/usage_error.h"
 #include "traj/curve/vertical_ends.h"
+#include "traj/home/return_certificate.h"
 
 namespace traj {
 namespace {
@@ -24,17 +25,25 @@ ReturnTask task_of(const Flier& flier, const ReturnRules& rules) {
   return task;
 }
 
-ReturnReport prove(const geom::CollisionScene& scene, const std::vector<Stages>& stages,
-                   const ReturnTask& task, const ReturnRules& rules) {
-  ReturnReport report = prove_return(scene, stages, task);
-  if (!rules.least_height) return report;
+void look_for_height(const geom::CollisionScene& scene, const std::vector<Stages>& stages,
+                     const ReturnTask& task, ReturnReport& report) {
   const auto best = best_return_height(scene, stages, task);
-  if (!best) return report;
+  if (!best) return;
   if (best->share == 1) {
     report.least_height = best->height;
   } else {
     report.best_height = best->height;
     report.best_share = best->share;
+  }
+}
+
+ReturnReport prove(const geom::CollisionScene& scene, const std::vector<Stages>& stages,
+                   const ReturnTask& task, const ReturnRules& rules) {
+  ReturnReport report = prove_return(scene, stages, task);
+  report.least_sought = rules.least_height && rules.action == ReturnAction::rtl;
+  if (report.least_sought) look_for_height(scene, stages, task, report);
+  if (rules.reasons && report.ok()) {
+    report.reasons = return_reasons(scene, task, proved_stages(scene, stages, task));
   }
   return report;
 }
@@ -120,8 +129,10 @@ ReturnReport check_return(const geom::CollisionScene& scene, const geom::PathRec
   }
   FlownMission mission;
   mission.path = record.points;
-  return prove_record(scene, stages_of(mission, *rules.speed),
-                      {record.points.front(), record.points.back()}, flier, rules);
+  ReturnReport report = prove_record(scene, stages_of(mission, *rules.speed),
+                                     {record.points.front(), record.points.back()}, flier, rules);
+  for (ReturnGap& gap : report.gaps) gap.part.reset();  // a path has no items
+  return report;
 }
 
 ReturnReport check_return(const geom::CollisionScene& scene, const FileFlight& file,

@@ -69,7 +69,7 @@ void set_time(FlightStage& stage) {
   for (const TimedLeg& leg : stage.legs) sure = std::min(sure, furthest_from(leg, stage.where));
   Span span;
   for (const TimedLeg& leg : stage.legs) {
-    if (nearest_to(leg, box) <= sure) add_time(stage.where, leg, span);
+    if (nearest_to(leg, box) <= sure + kShortest) add_time(stage.where, leg, span);
   }
   stage.from = span.from;
   stage.until = span.until;
@@ -173,19 +173,37 @@ std::vector<Velocity> any_direction(double across, double climb, double descent)
           {{across, -across, 0}}, {{0, 0, climb}},        {{0, 0, -descent}}};
 }
 
+// It waits where a leg ends until the next begins: as a leg that leads nowhere.
+std::optional<TimedLeg> wait_after(const std::vector<TimedLeg>& legs, std::size_t i) {
+  if (i + 1 >= legs.size() || legs[i].until >= legs[i + 1].from) return std::nullopt;
+  return TimedLeg{legs[i].b, legs[i].b, legs[i].until, legs[i + 1].from, legs[i].part};
+}
+
 // Those that a sweep is beside: the ones that it names, or all of its item, or all.
+std::vector<std::size_t> indices_beside(const Sweep& sweep, const std::vector<TimedLeg>& legs) {
+  std::vector<std::size_t> all;
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    all.push_back(i);
+    const bool beside = sweep.motion ? sweep.motion->first_leg <= i && i <= sweep.motion->last_leg
+                                     : legs[i].part.item == sweep.part.item;
+    if (beside) out.push_back(i);
+  }
+  if (!out.empty()) return out;
+  return sweep.motion ? std::vector{legs.size() - 1} : all;
+}
+
+// With the waits before and behind them: it may be beside a point for as long as it waits there.
 std::vector<TimedLeg> legs_beside(const Sweep& sweep, const std::vector<TimedLeg>& legs) {
-  if (sweep.motion) {
-    const std::size_t end = std::min(sweep.motion->last_leg + 1, legs.size());
-    const std::size_t begin = std::min(sweep.motion->first_leg, end - 1);
-    return {legs.begin() + static_cast<std::ptrdiff_t>(begin),
-            legs.begin() + static_cast<std::ptrdiff_t>(end)};
+  std::vector<TimedLeg> out;
+  for (const std::size_t i : indices_beside(sweep, legs)) {
+    const auto before = i > 0 ? wait_after(legs, i - 1) : std::nullopt;
+    const auto behind = wait_after(legs, i);
+    if (before) out.push_back(*before);
+    out.push_back(legs[i]);
+    if (behind) out.push_back(*behind);
   }
-  std::vector<TimedLeg> of_item;
-  for (const TimedLeg& leg : legs) {
-    if (leg.part.item == sweep.part.item) of_item.push_back(leg);
-  }
-  return of_item.empty() ? legs : of_item;
+  return out;
 }
 
 FlightStage sweep_stage(const Sweep& sweep, const std::vector<TimedLeg>& legs,
@@ -200,17 +218,17 @@ FlightStage sweep_stage(const Sweep& sweep, const std::vector<TimedLeg>& legs,
   return out;
 }
 
-// It waits where a leg ends until the next begins.
 void add_waits(const std::vector<TimedLeg>& legs, std::vector<FlightStage>& stages) {
-  for (std::size_t i = 0; i + 1 < legs.size(); ++i) {
-    if (legs[i].until >= legs[i + 1].from) continue;
-    FlightStage wait;
-    wait.from = legs[i].until;
-    wait.until = legs[i + 1].from;
-    wait.where = {legs[i].b};
-    wait.part = legs[i].part;
-    wait.legs = {{legs[i].b, legs[i].b, wait.from, wait.until, wait.part}};
-    stages.push_back(std::move(wait));
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    const auto wait = wait_after(legs, i);
+    if (!wait) continue;
+    FlightStage stage;
+    stage.from = wait->from;
+    stage.until = wait->until;
+    stage.where = {wait->a};
+    stage.part = wait->part;
+    stage.legs = {*wait};
+    stages.push_back(std::move(stage));
   }
 }
 

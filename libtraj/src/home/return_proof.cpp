@@ -66,9 +66,9 @@ class Prover {
       : scene_(scene), model_(model), task_(task), first_gap_only_(first_gap_only) {
     model_.around += task.room;
     if (!task.fences.empty() && model.rally_limit > 0) model_.fence_excludes = true;
-    const Vec3 margin = scene.half() - scene.vehicle().half;
-    extra_ = sure((model_.around - margin).cwiseMax(0));
-    half_ = scene.half() + extra_;
+    astray_ = sure(model_.around);
+    half_ = return_half(scene, model, task);
+    extra_ = half_ - scene.half();
     free_ = geom::shrink(scene.map().spec().bounds, half_);
     for (const Vec3& rally : task.rally) {
       const double ground = task.home.z();
@@ -83,35 +83,44 @@ class Prover {
     if (!stage.stands_on) stage.stands_on = pad_below(stage);
     NearBoxes near;
     const auto found = obstruction(stage, of_whole, near);
-    if (!found) return add_proved(stage);
+    if (!found) return keep(stage);
     const auto parts = extent(stage) > task_.finest ? halves(stage) : std::nullopt;
-    if (!parts || blocked_all_along(stage, near)) return add_gap(stage, *found);
+    if (!parts) return add_gap(stage, *found);
+    if (const auto all_along = met_all_along(stage, near)) return add_gap(stage, *all_along);
     prove(parts->first, near);
     prove(parts->second, near);
   }
 
   std::vector<ReturnGap> gaps;
   double longest = 0;  // s
-  bool keeps_proved = false;
-  std::vector<ProvedReturn> proved;  // where these are kept
+  bool keeps = false;  // what it proves:
+  std::vector<ProvedStage> proved;
 
  private:
-  void add_proved(const FlightStage& stage) {
-    if (!keeps_proved) return;
-    for (const ReturnSweep& one : sweeps_from(stage)) proved.push_back({one, stage.part, extra_});
+  void keep(const FlightStage& stage) {
+    if (!keeps) return;
+    ProvedStage one{0, stage, {}, 0};
+    for (std::vector<ReturnSweep>& sweeps : all_sweeps(stage)) {
+      one.lasts = std::max(one.lasts, longest_seconds(model_, sweeps));
+      one.sweeps.insert(one.sweeps.end(), sweeps.begin(), sweeps.end());
+    }
+    proved.push_back(std::move(one));
   }
 
-  std::vector<ReturnSweep> sweeps_from(const FlightStage& stage) const {
-    if (task_.action == ReturnAction::hold) return holding_sweeps(model_, stage);
-    if (task_.action == ReturnAction::land) {
-      return landing_sweeps(model_, stage, task_.home.z(), scene_.map().spec().bounds.min.z());
-    }
-    std::vector<ReturnSweep> out;
+  // To each place where it may land.
+  std::vector<std::vector<ReturnSweep>> all_sweeps(const FlightStage& stage) const {
+    if (task_.action == ReturnAction::hold) return {holding_sweeps(model_, stage)};
+    if (task_.action == ReturnAction::land) return {sweeps_below(stage)};
+    std::vector<std::vector<ReturnSweep>> out;
     for (const std::size_t i : likely_places(model_, stage, places_)) {
-      const auto sweeps = return_sweeps(model_, stage, places_[i]);
-      out.insert(out.end(), sweeps.begin(), sweeps.end());
+      out.push_back(return_sweeps(model_, stage, places_[i]));
     }
     return out;
+  }
+
+  std::vector<ReturnSweep> sweeps_below(const FlightStage& stage) const {
+    const double floor = scene_.map().spec().bounds.min.z();
+    return landing_sweeps(model_, stage, task_.home.z(), floor);
   }
 
   bool done() const { return first_gap_only_ && !gaps.empty(); }
@@ -149,7 +158,7 @@ class Prover {
     const double height = place.above_ground + model_.height;
     const Vec3 above(place.ground.x(), place.ground.y(),
                      place.ground.z() + std::max(height, scene_.half().z() + kStart));
-    const Vec3 beside = extra_ + Vec3(model_.overshoot, model_.overshoot, 0) +
+    const Vec3 beside = astray_ + Vec3(model_.overshoot, model_.overshoot, 0) +
                         Vec3(model_.overshoot_time, model_.overshoot_time, 0) * model_.speed;
     const LandingGround ground = landing_ground(scene_, above, beside, kLevel);
     return ground.whole && std::abs(ground.height - place.ground.z()) <= kLevel;
@@ -164,8 +173,10 @@ class Prover {
                                          NearBoxes& near) {
     if (const auto met = met_on_map(stage, of_whole, near)) return met;
     if (task_.fences.empty()) return std::nullopt;
-    for (const ReturnSweep& one : sweeps_from(stage)) {
-      if (const auto left = fence_left(one, stage.part)) return left;
+    for (const std::vector<ReturnSweep>& sweeps : all_sweeps(stage)) {
+      for (const ReturnSweep& one : sweeps) {
+        if (const auto left = fence_left(one, stage.part)) return left;
+      }
     }
     return std::nullopt;
   }
@@ -179,8 +190,7 @@ class Prover {
     if (!model_.known) return Obstruction{ReturnPhase::landing, Reason::return_home, task_.home};
     if (task_.action == ReturnAction::hold) return met_by(holding_sweeps(model_, stage), 0);
     if (task_.action == ReturnAction::land) {
-      const double floor = scene_.map().spec().bounds.min.z();
-      const auto sweeps = landing_sweeps(model_, stage, task_.home.z(), floor);
+      const auto sweeps = sweeps_below(stage);
       if (const auto met = met_by(sweeps, 0)) return met;
       return uneven_below(sweeps.front().region);
     }
@@ -197,7 +207,7 @@ class Prover {
     const Aabb box = box_of(region);
     const Vec3 middle = 0.5 * (box.min + box.max);
     const Vec3 above(middle.x(), middle.y(), region.high);
-    Vec3 beside = 0.5 * (box.max - box.min) + extra_;
+    Vec3 beside = 0.5 * (box.max - box.min) + astray_;
     beside.z() = 0;
     const LandingGround ground = landing_ground(scene_, above, beside, kLevel);
     if (ground.whole && std::abs(ground.height - task_.home.z()) <= kLevel) return std::nullopt;
@@ -297,23 +307,24 @@ class Prover {
     return std::nullopt;
   }
 
-  // Whether returns from both ends of the stage meet the same. Then those between most often do
-  // too, and it is not worth while to divide the stage.
-  bool blocked_all_along(const FlightStage& stage, const NearBoxes& near) {
+  // What returns from both ends of the stage meet, if that is the same. Then those between most
+  // often do too, and it is not worth while to divide the stage.
+  std::optional<Obstruction> met_all_along(const FlightStage& stage, const NearBoxes& near) {
     const auto ends = ends_of(stage);
-    if (!ends) return false;
+    if (!ends) return std::nullopt;
     NearBoxes unused;
     const auto early = obstruction(ends->first, near, unused);
-    if (!early) return false;
+    if (!early) return std::nullopt;
     const auto late = obstruction(ends->second, near, unused);
-    return late && early->is_same(*late);
+    return late && early->is_same(*late) ? early : std::nullopt;
   }
 
   const geom::CollisionScene& scene_;
   ReturnModel model_;  // with the room of the task
   const ReturnTask& task_;
   bool first_gap_only_;
-  Vec3 extra_;  // beside the half sizes of the scene
+  Vec3 astray_;  // what it may be off its way, and wrong about its place
+  Vec3 extra_;   // of that, what is beyond the half sizes of the scene
   Vec3 half_;
   std::optional<Aabb> free_;
   std::vector<ReturnPlace> places_;  // home last
@@ -389,16 +400,36 @@ ReturnReport prove_return(const geom::CollisionScene& scene,
   return prove(scene, stages, task, false);
 }
 
+Vec3 return_half(const geom::CollisionScene& scene, const ReturnModel& model,
+                 const ReturnTask& task) {
+  const Vec3 margin = scene.half() - scene.vehicle().half;
+  return scene.half() + sure((model.around + task.room - margin).cwiseMax(0));
+}
+
+std::vector<ProvedStage> proved_stages(const geom::CollisionScene& scene,
+                                       std::span<const std::vector<FlightStage>> stages,
+                                       const ReturnTask& task) {
+  require_task(stages, task);
+  std::vector<ProvedStage> out;
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    Prover prover(scene, task.models[i], task, false);
+    prover.keeps = true;
+    for (const FlightStage& stage : stages[i]) prover.prove(stage);
+    for (ProvedStage& one : prover.proved) {
+      one.model = i;
+      out.push_back(std::move(one));
+    }
+  }
+  return out;
+}
+
 std::vector<ProvedReturn> proved_returns(const geom::CollisionScene& scene,
                                          std::span<const std::vector<FlightStage>> stages,
                                          const ReturnTask& task) {
-  require_task(stages, task);
   std::vector<ProvedReturn> out;
-  for (std::size_t i = 0; i < stages.size(); ++i) {
-    Prover prover(scene, task.models[i], task, false);
-    prover.keeps_proved = true;
-    for (const FlightStage& stage : stages[i]) prover.prove(stage);
-    out.insert(out.end(), prover.proved.begin(), prover.proved.end());
+  for (const ProvedStage& one : proved_stages(scene, stages, task)) {
+    const Vec3 beside = return_half(scene, task.models[one.model], task) - scene.half();
+    for (const ReturnSweep& sweep : one.sweeps) out.push_back({sweep, one.stage.part, beside});
   }
   return out;
 }

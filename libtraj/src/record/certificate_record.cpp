@@ -54,4 +54,19 @@ std::string to_json_line(const CertificateRecord& record) {
   return line.line();
 }
 
+std::string return_certificate_line(const ReportRecord& report, const geom::BoxMap& map) {
+  const ReturnReport& returns = *report.returns;
+  JsonLine line;
+  line.add("type", "returns").add("id", report.id).add("of", report.checked);
+  add(line, report.provenance);
+  if (report.by_time) {
+    line.add("epoch", map.spec().epoch).add("start", report.time.start);
+  }
+  line.add("bounds", std::tuple(map.spec().bounds.min, map.spec().bounds.max));
+  line.add("action", returns.action).add("home", returns.home);
+  line.add("duration", returns.duration);
+  line.add_json("autopilots", returns.reasons);
+  return line.line();
+}
+
 }  // namespace traj

@@ -166,10 +166,55 @@ std::string met_in_words(const ReturnGap& gap, const geom::BoxMap& map) {
     case Reason::landing:
       return "there is no level ground as high as home" + near;
     case Reason::return_home:
-      return "the autopilot may go to another place (RTL_TYPE)";
+      return "the autopilot may go to a place that is not known";
     default:
       return "the vehicle meets " + obstacle(map, gap.box) + near;
   }
+}
+
+// Where home is no place to land at; empty where it may be.
+std::string home_fault(const ReturnReport& returns, const geom::BoxMap& map) {
+  const Vec3& home = returns.home;
+  const std::string said =
+      fmt::format("home [{:.6g}, {:.6g}, {:.6g}] is", home.x(), home.y(), home.z());
+  if (!geom::contains(map.spec().bounds, home)) {
+    return said + " outside of the map's bounds: give another with --home";
+  }
+  for (const ReturnGap& gap : returns.gaps) {
+    if (gap.phase != "descent" || !gap.box) continue;
+    const geom::Aabb box = map.box(*gap.box);
+    if (!geom::contains(box, home) || home.z() >= box.max.z()) continue;
+    return fmt::format("{} inside of {}, whose top is at z = {:.6g}: give another with --home",
+                       said, obstacle(map, gap.box), box.max.z());
+  }
+  return "";
+}
+
+// What is not proved.
+std::string_view unproved(std::string_view action) {
+  if (action == "land") return "no landing is proved";
+  return action == "hold" ? "no stop is proved" : "no way home is proved";
+}
+
+// What to change; empty if nothing is known that helps.
+std::string return_advice(const ReturnReport& returns) {
+  const Reason reason = returns.gaps.front().reason;
+  if (returns.action != "rtl") return "";
+  if (reason == Reason::return_home)
+    return "; set RTL_TYPE so that it returns to home or a rally point";
+  if (returns.least_height) {
+    return fmt::format("; return at {:.4g} m above home", *returns.least_height);
+  }
+  if (reason == Reason::landing) return "; give the height of the ground there with --home x,y,z";
+  if (!returns.least_sought) return "";
+  if (returns.best_height && *returns.best_share > returns.share()) {
+    return fmt::format(
+        ", and at {:.4g} m above home for {:.4g} %; no return height makes all of it safe: fly "
+        "another "
+        "way, or add rally points",
+        *returns.best_height, 100 * *returns.best_share);
+  }
+  return "; no return height makes all of it safe: fly another way, or add rally points";
 }
 
 std::string gap_in_words(const ReturnGap& gap, const geom::BoxMap& map) {
@@ -179,19 +224,20 @@ std::string gap_in_words(const ReturnGap& gap, const geom::BoxMap& map) {
 
 // Of a refused report, where the flight itself is clear.
 std::string returns_in_words(const ReturnReport& returns, const geom::BoxMap& map) {
-  std::string out = gap_in_words(returns.gaps.front(), map);
-  if (returns.gaps.size() > 1) out += fmt::format(", and {} more", returns.gaps.size() - 1);
-  out +=
-      fmt::format("; {} holds for {:.4g} % of the flight", returns.action, 100 * returns.share());
-  if (returns.action != "rtl") return out;
-  if (returns.least_height) {
-    return out + fmt::format("; return at {:.4g} m above home", *returns.least_height);
-  }
-  if (returns.best_height && *returns.best_share > returns.share()) {
-    out += fmt::format(", and at {:.4g} m above home for {:.4g} %", *returns.best_height,
-                       100 * *returns.best_share);
-  }
-  return out + "; no return height makes all of it safe: fly another way, or add rally points";
+  const ReturnGap& gap = returns.gaps.front();
+  std::string out =
+      fmt::format("from {:.4g} s to {:.4g} s {}", gap.from, gap.until, unproved(returns.action));
+  const std::string home = returns.action == "rtl" ? home_fault(returns, map) : "";
+  if (!home.empty()) return out + ": " + home;
+  if (gap.autopilot != returns.autopilot) out += " as " + gap.autopilot + " flies it";
+  out += ": ";
+  if (gap.reason != Reason::return_home) out += std::string(phase_in_words(gap.phase)) + " ";
+  out += met_in_words(gap, map);
+  if (returns.gaps.size() > 1)
+    out += fmt::format("; {} later times are like it", returns.gaps.size() - 1);
+  out += fmt::format("; {} is proved for {:.4g} % of the flight", returns.action,
+                     100 * returns.share());
+  return out + return_advice(returns);
 }
 
 std::string accepted_in_words(const ReportRecord& report) {
@@ -204,7 +250,7 @@ std::string accepted_in_words(const ReportRecord& report) {
   if (report.returns) {
     out += fmt::format("; {} is clear from every instant", report.returns->action);
     if (report.returns->least_height) {
-      out += fmt::format(" (at {:.4g} m; from {:.4g} m on)", report.returns->height,
+      out += fmt::format(" (at {:.4g} m above home; {:.4g} m would do)", report.returns->height,
                          *report.returns->least_height);
     }
   }

@@ -632,7 +632,7 @@ def verify(record, certificate, box_map):
 
 def verify_files(record_file, map_file, certificate_file):
     """Prints what became of each record, and says how many were refused."""
-    box_map, records, certificates = BoxMap(map_file), by_id(record_file), by_id(certificate_file, ("apart", "together", "clear_of", "clear_of_moving"))
+    box_map, records, certificates = BoxMap(map_file), by_id(record_file), by_id(certificate_file, ("apart", "together", "clear_of", "clear_of_moving", "returns"))
     print(f"map {box_map.hash}: {len(box_map.boxes)} boxes, bounds {json.dumps(box_map.bounds)}")
     refused = [f"{name!a}: refused: there is no record of this certificate" for name in certificates if name not in records]
     for name, record in records.items():

@@ -20,7 +20,7 @@ constexpr Page kPages[] = {
     {"skyway-check",
      "skyway-import data/downtown.csv | skyway-check - data/samples/trajectories.jsonl",
      "--file-format --output --report --certificate --vehicle --margin --vmax --amax --ground "
-     "--autopilot --together --separation --exact"},
+     "--autopilot --return --together --separation --exact"},
     {"skyway-cloud", "skyway-cloud data/samples/scan.xyz --cell 1 -o scan.boxmap",
      "--format --crs --origin --unknown --allow-skipped --output --mode --cell --ground-points "
      "--floor --ceiling --bounds --threads"},

@@ -27,6 +27,7 @@ struct ReturnRules {
   std::optional<double> speed = {};   // m/s of paths, which have none
   std::optional<double> start = {};   // as ReturnTask::start
   bool least_height = true;           // look for it too
+  bool reasons = false;               // say why there are no gaps, for a certificate
 };
 
 // From every instant of a trajectory, or of a path that is flown at `rules.speed`; `flier` says

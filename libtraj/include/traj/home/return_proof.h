@@ -47,6 +47,25 @@ struct ReturnTask {
 ReturnReport prove_return(const geom::CollisionScene& scene,
                           std::span<const std::vector<FlightStage>> stages, const ReturnTask& task);
 
+// Metres along each axis from the vehicle's reference point that stay clear of obstacles while that
+// model returns: its half sizes with the larger of its margin and what it may be off its way.
+Vec3 return_half(const geom::CollisionScene& scene, const ReturnModel& model,
+                 const ReturnTask& task);
+
+// A part of a flight, the regions of the returns that begin anywhere in it, which are all clear,
+// and the seconds that these may take.
+struct ProvedStage {
+  std::size_t model = 0;  // an index into those of the task
+  FlightStage stage;
+  std::vector<ReturnSweep> sweeps;
+  double lasts = 0;
+};
+
+// The parts of a flight from which returns are proved: all of it if there are no gaps.
+std::vector<ProvedStage> proved_stages(const geom::CollisionScene& scene,
+                                       std::span<const std::vector<FlightStage>> stages,
+                                       const ReturnTask& task);
+
 // A region of a return that is proved, and the metres along each axis beside it for which it is,
 // the scene's half sizes left out.
 struct ProvedReturn {

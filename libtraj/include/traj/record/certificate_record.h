@@ -18,6 +18,7 @@
 
 #include "geom/record/record.h"
 #include "traj/proof/exact/exact_check.h"
+#include "traj/record/report_record.h"
 
 namespace traj {
 
@@ -37,5 +38,9 @@ struct CertificateRecord {
 };
 
 std::string to_json_line(const CertificateRecord& record);  // ends with a newline
+
+// Why a vehicle comes home by itself from every instant of an accepted record, by the reasons of
+// its report's `returns`; ends with a newline.
+std::string return_certificate_line(const ReportRecord& report, const geom::BoxMap& map);
 
 }  // namespace traj

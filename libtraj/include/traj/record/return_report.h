@@ -41,7 +41,9 @@ struct ReturnReport {
   double duration = 0;                      // s, of the flight
   double longest = 0;                       // s that a return may take: an estimate
   std::vector<ReturnGap> gaps = {};         // ascending, apart
+  bool least_sought = false;                // whether it was looked for:
   std::optional<double> least_height = {};  // m above home with which there is no gap
+  std::string reasons = {};                 // JSON (return_reasons), where they are asked for
 
   // If there is none: the least height at which returns are proved for as long as at any that the
   // bounds allow, and that share.
