@@ -18,7 +18,7 @@ using geom::Vec3;
 // What a vehicle may choose, each 0 to 1.
 struct Choice {
   double braking = 1;     // share of its way to rest
-  bool low = false;       // as low as the cone, or the circle about home, allows
+  bool low = false;       // its distance is measured at once; it stays low in a circle about home
   double under = 0;       // share of what it may be below its height
   double acceptance = 0;  // share of the radius in which it may begin to sink
   double overshot = 0;    // share of what it may go beyond its place
@@ -35,41 +35,58 @@ inline Choice any_choice(Random& random) {
 inline Vec3 level(const Vec3& v) { return {v.x(), v.y(), 0}; }
 inline double across(const Vec3& a, const Vec3& b) { return level(b - a).norm(); }
 
-// The point where it rests: it slows down evenly.
+// The point where it rests: it slows down evenly, or aims at a point that is a little further.
 inline Vec3 rest(const traj::ReturnModel& model, const Vec3& at, const Vec3& velocity,
                  double share) {
   const Vec3 v = level(velocity);
+  if (v.isZero(0)) return at;
   const double seconds = model.reaction + v.norm() / (2 * model.deceleration);
-  return at + share * seconds * v;
+  return at + share * (seconds * v + model.stop_length * v.normalized());
 }
 
-// Places where it may land, by the distances in plan: home, and rally points.
+// Places where it may land: home, or rally points, by their distances in plan.
 inline std::vector<Vec3> nearest(const traj::ReturnModel& model, const traj::ReturnTask& task,
                                  const Vec3& from) {
   std::vector<Vec3> places = task.rally;
-  places.push_back(task.home);
-  double least = across(from, task.home);
+  const bool home = model.home_is_a_place || places.empty() || model.any_place;
+  if (home) places.push_back(task.home);
+  if (model.any_place) return places;
+  double least = across(from, places.front());
   for (const Vec3& place : places) least = std::min(least, across(from, place));
+  if (model.rally_limit > 0 && least > model.rally_limit) return {task.home};
   std::vector<Vec3> out;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    if (across(from, places[i]) <= least || model.any_place) out.push_back(places[i]);
+  for (const Vec3& place : places) {
+    if (across(from, place) <= least + model.nearer) out.push_back(place);
   }
   return out;
 }
 
+// Metres above its place to which a return climbs that is `away` metres from it: ArduPilot's
+// ModeRTL::compute_return_target, or PX4's calculate_return_alt_from_cone_half_angle since 1.12.
+inline double return_height(const traj::ReturnModel& model, double full, double away) {
+  if (model.cone.ardupilot && model.slope >= 0.5) return std::min(full, model.slope * away);
+  if (!model.cone.px4_1_12) return full;
+  if (away <= model.acceptance) return std::min(full, 2 * away);
+  double height = full;
+  if (model.slope > 0 && away <= model.cone.near) height = std::min(full, model.slope * away);
+  return std::min(full, std::max(height, 2 * model.acceptance));
+}
+
 // The height, z, at which it goes across.
-inline double cruise(const traj::ReturnModel& model, const traj::ReturnTask& task,
+inline double cruise(const traj::ReturnModel& model, const traj::ReturnTask& task, const Vec3& at,
                      const Vec3& resting, const Vec3& place, const Choice& choice) {
   const double ground = task.home.z();
   const double above = place.z() - ground;
-  const double asked =
-      model.rally_adds ? place.z() + model.height : ground + std::max(model.height, above);
+  const double full = model.rally_adds ? model.height : std::max(model.height, above);
+  const double base = model.rally_adds ? place.z() : ground;
+  const Vec3& told = choice.low ? at : resting;  // where it measures its distance
+  const double away = across(told, place);
+  const double asked = base + return_height(model, full, away);
   double z = std::max(asked, resting.z() + model.least_climb);
-  const double away = across(resting, place);
-  if (choice.low && model.low_within > 0 && away < model.low_within) z = resting.z();
-  if (choice.low && model.slope > 0) {
-    z = std::min(z, std::max(resting.z(), std::min(asked, ground + model.slope * away)));
+  if (choice.low && model.low_within > 0 && across(resting, place) < model.low_within) {
+    z = resting.z();
   }
+  if (model.ceiling) z = std::max(resting.z(), std::min(z, ground + *model.ceiling));
   return z;
 }
 
@@ -79,9 +96,9 @@ inline std::vector<Vec3> way_home(const traj::ReturnModel& model, const traj::Re
                                   const Choice& choice) {
   const Vec3 resting = rest(model, at, velocity, choice.braking);
   const double ground = task.home.z();
-  double z = cruise(model, task, resting, place, choice);
+  double z = cruise(model, task, at, resting, place, choice);
   const Vec3 top(resting.x(), resting.y(), z);
-  z = std::max(z - choice.under * model.under, std::min(ground, resting.z()));
+  z = std::max(z - choice.under * model.under, std::min(z, resting.z()));
   Vec3 end(place.x(), place.y(), z);
   const Vec3 toward = level(end - top);
   const double length = toward.norm();
@@ -123,6 +140,7 @@ inline Vec3 reach(const geom::CollisionScene& scene, const traj::ReturnModel& mo
 inline traj::ReturnModel thin_return_model(Random& random) {
   traj::ReturnModel model;
   model.autopilot = "thin";
+  model.cone.ardupilot = true;  // without a slope
   model.height = random.stepped(20, 80, 0.25);
   model.deceleration = random.stepped(1, 5, 0.25);
   model.jerk = 1e9;
@@ -153,13 +171,17 @@ inline traj::ReturnModel any_return_model(Random& random) {
   model.overshoot_time = random.uniform(0, 0.3);
   model.overshoot = random.below(2) * random.uniform(0, 0.5);
   model.least_climb = random.below(2) * random.uniform(0, 20);
-  model.slope = random.below(2) * random.uniform(0.3, 3);
-  model.low_within = random.below(3) ? 0 : 50;
+  model.stop_length = random.below(2) * random.uniform(0, 2);
+  model.cone.ardupilot = random.below(2);
+  model.cone.px4_1_12 = !model.cone.ardupilot;
+  model.cone.near = random.uniform(5, 60);
+  model.slope = random.below(2) * random.uniform(0.5, 3);
   model.under = random.uniform(0, 2);
   model.acceptance = random.uniform(0, 10);
   model.fall = random.uniform(0, 10);
   model.rally_adds = random.below(2);
-  model.any_place = random.below(2);
+  model.nearer = random.below(2) * random.uniform(0, 5);
+  model.any_place = random.below(4) == 0;
   for (int axis = 0; axis < 3; ++axis) model.around[axis] = random.uniform(0, 1);
   return model;
 }

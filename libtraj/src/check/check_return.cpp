@@ -100,7 +100,8 @@ void add_dji(const FlownMission& mission, const ReturnRules& rules, ReturnTask& 
     throw geom::UsageError(
         "the height of the return is a setting of the aircraft: give it with --return-height");
   }
-  const auto speed = mission.speed ? mission.speed : rules.speed;
+  auto speed = mission.speed ? mission.speed : mission.speed_before_return;
+  if (!speed) speed = rules.speed;
   if (!speed) {
     throw geom::UsageError(
         "the mission does not say its speed, so nobody knows how far it brakes: give it with "

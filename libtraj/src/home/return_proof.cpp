@@ -148,6 +148,7 @@ class Prover {
   std::optional<double> pad_below(const FlightStage& stage) const {
     const Aabb box = *geom::bounds(stage.where);
     for (const Vec3& pad : task_.pads) {
+      if (box.min.z() < pad.z()) continue;  // beside what the pad is on
       const Vec3 low = (box.min - pad).cwiseAbs().cwiseMax((box.max - pad).cwiseAbs());
       if (low.x() <= kBesidePad && low.y() <= kBesidePad && low.z() <= kAbovePad) return pad.z();
     }
@@ -438,11 +439,13 @@ std::optional<ReturnHeight> best_return_height(const geom::CollisionScene& scene
                                                std::span<const std::vector<FlightStage>> stages,
                                                ReturnTask task, double step) {
   if (task.action != ReturnAction::rtl) return std::nullopt;
+  constexpr double kNotAll = 1 - 1e-9;  // with a gap of one instant
   const double room = room_above(scene, task);
   const auto share_at = [&](double height, double wanted) {
     for (ReturnModel& model : task.models) model.height = height;
     const ReturnReport proof = prove(scene, stages, task, wanted == 1);
-    return wanted == 1 && !proof.ok() ? 0 : proof.share();
+    if (proof.ok()) return 1.0;
+    return wanted == 1 ? 0 : std::min(proof.share(), kNotAll);
   };
   double proved = std::floor(room / step);
   if (!(proved >= 0)) return std::nullopt;

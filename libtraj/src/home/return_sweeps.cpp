@@ -73,6 +73,20 @@ double way_to_rest(const ReturnModel& model, const Velocity& velocity, const Pla
   return left + speed * (model.reaction + model.overshoot_time) + model.stop_length;
 }
 
+// Whether all are along one line in plan. A velocity between two that are not has a direction of
+// its own, in which its stop is as much further as theirs are.
+bool one_way(const std::vector<Velocity>& velocities) {
+  Vec2 along = Vec2::Zero();
+  for (const Velocity& v : velocities) {
+    const Vec2 way = v.value.head<2>();
+    if (way.norm() < 1e-6) continue;  // at rest, to rounding
+    if (along.isZero(0)) along = way;
+    const double aside = std::abs(along.x() * way.y() - along.y() * way.x());
+    if (aside > 1e-9 * along.norm() * way.norm()) return false;
+  }
+  return true;
+}
+
 double overshot(const ReturnModel& model) {
   return model.overshoot_time * model.speed + model.overshoot;
 }
@@ -230,7 +244,8 @@ Prism braking_region(const ReturnModel& model, const FlightStage& stage) {
       out.plan.push_back(p - along * (speed * model.overshoot_time));
     }
   }
-  out.plan = widened(plan_hull(std::move(out.plan)), fastest > 0 ? model.overshoot : 0);
+  const double beside = one_way(stage.velocity) ? 0 : model.stop_length;
+  out.plan = widened(plan_hull(std::move(out.plan)), fastest > 0 ? model.overshoot + beside : 0);
   out.low -= vertical_way(model, sink);
   out.high += vertical_way(model, rise);
   if (stage.stands_on)

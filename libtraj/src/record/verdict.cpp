@@ -181,7 +181,7 @@ std::string home_fault(const ReturnReport& returns, const geom::BoxMap& map) {
     return said + " outside of the map's bounds: give another with --home";
   }
   for (const ReturnGap& gap : returns.gaps) {
-    if (gap.phase != "descent" || !gap.box) continue;
+    if (!gap.box) continue;
     const geom::Aabb box = map.box(*gap.box);
     if (!geom::contains(box, home) || home.z() >= box.max.z()) continue;
     return fmt::format("{} inside of {}, whose top is at z = {:.6g}: give another with --home",

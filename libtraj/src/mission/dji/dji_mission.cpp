@@ -259,6 +259,7 @@ class DjiFlight {
     }
     flown_.ends.landing_on = home_.z();
     flown_.returns_at = height;
+    flown_.speed_before_return = flown_.speed;
     flown_.speed.reset();  // that of the return is the aircraft's own
   }
 

@@ -57,7 +57,8 @@ struct FlownMission : FlownLegs {
   std::vector<Fence> fences;       // that the path and the sweeps keep to
   std::vector<Vec3> rally;         // places in the air from which it may land instead of at home
   std::vector<Vec3> rally_points;  // all of the file, whether or not the mission ends with a return
-  std::optional<double> return_height;  // m above home that the file asks for
+  std::optional<double> return_height;        // m above home that the file asks for
+  std::optional<double> speed_before_return;  // m/s, if only the return's is not known
   std::vector<Vec3> touches;      // places in the air from which it sinks to the ground on its way
   std::optional<Vec3> home;       // as assumed: in the file, or under the first point
   bool returns = false;           // ends with a return to home, by a way that is not known
