@@ -20,7 +20,6 @@ ReturnCone cone_of(const Autopilot& autopilot) {
   out.px4_1_11 = autopilot.cone_of_px4_1_11;
   out.px4_1_12 = autopilot.cone_of_px4_1_12;
   out.above_height = autopilot.cone_above_return;
-  out.ardupilot = !out.px4_1_11 && !out.px4_1_12;
   out.near = autopilot.return_near;
   out.descend = autopilot.return_descend;
   return out;

@@ -31,11 +31,10 @@ constexpr std::string_view name(ReturnAction action) {
 }
 
 // By which rules the height of a return depends on the distance from its place; a firmware's
-// versions may have several.
+// versions may have several. Without one of these: slope times the distance, from anywhere.
 struct ReturnCone {
-  bool ardupilot = false;  // slope times the distance, from anywhere
-  bool px4_1_11 = false;   // `descend` within `near`; else slope times the distance, and `descend`
-  bool px4_1_12 = false;   // twice the distance within the acceptance; the slope within `near`
+  bool px4_1_11 = false;  // `descend` within `near`; else slope times the distance, and `descend`
+  bool px4_1_12 = false;  // twice the distance within the acceptance; the slope within `near`
   bool above_height = false;  // of px4_1_12: up to twice the acceptance, even above the height
   double near = 0;            // m
   double descend = 0;         // m
