@@ -64,11 +64,12 @@ inline double cruise(const traj::ReturnModel& model, const traj::ReturnTask& tas
   const double above = place.z() - ground;
   const double asked =
       model.rally_adds ? place.z() + model.height : ground + std::max(model.height, above);
-  double z = std::max(asked, resting.z() + model.least_climb);
+  const double least = resting.z() + model.least_climb;
+  double z = std::max(asked, least);
   const double away = across(resting, place);
-  if (choice.low && model.low_within > 0 && away < model.low_within) z = resting.z();
+  if (choice.low && model.low_within > 0 && away < model.low_within) z = least;
   if (choice.low && model.slope > 0) {
-    z = std::min(z, std::max(resting.z(), std::min(asked, ground + model.slope * away)));
+    z = std::min(z, std::max(least, std::min(asked, ground + model.slope * away)));
   }
   return z;
 }
@@ -81,7 +82,7 @@ inline std::vector<Vec3> way_home(const traj::ReturnModel& model, const traj::Re
   const double ground = task.home.z();
   double z = cruise(model, task, resting, place, choice);
   const Vec3 top(resting.x(), resting.y(), z);
-  z = std::max(z - choice.under * model.under, std::min(ground, resting.z()));
+  z = std::max(z - choice.under * model.under, resting.z());  // it sinks for no way across
   Vec3 end(place.x(), place.y(), z);
   const Vec3 toward = level(end - top);
   const double length = toward.norm();
@@ -153,7 +154,7 @@ inline traj::ReturnModel any_return_model(Random& random) {
   model.overshoot_time = random.uniform(0, 0.3);
   model.overshoot = random.below(2) * random.uniform(0, 0.5);
   model.least_climb = random.below(2) * random.uniform(0, 20);
-  model.slope = random.below(2) * random.uniform(0.3, 3);
+  model.slope = random.below(2) * random.uniform(0.5, 3);  // flatter ones count for none
   model.low_within = random.below(3) ? 0 : 50;
   model.under = random.uniform(0, 2);
   model.acceptance = random.uniform(0, 10);

@@ -54,6 +54,7 @@ void set_stop(const Autopilot& autopilot, ReturnModel& out) {
   }
   out.ramp = out.deceleration / (2 * out.jerk);
   out.fading = 2 * out.ramp;
+  out.stops_on_line = true;
   out.reaction = std::max(kReaction, kPx4StopPoint - out.ramp);
 }
 
@@ -95,6 +96,7 @@ ReturnModel dji_return_model(double height) {
   out.jerk = kDjiDeceleration;
   out.ramp = out.deceleration / (2 * out.jerk);
   out.fading = 2 * out.ramp;
+  out.stops_on_line = true;
   out.speed = kDjiSpeed;
   out.climb = kDjiClimb;
   out.descent = kDjiClimb;

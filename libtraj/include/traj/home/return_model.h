@@ -67,7 +67,8 @@ struct ReturnModel {
   double stop_length = 0;     // m: and this, of a firmware that aims at a point where it stops
   double landing_later = 0;   // s: times the speed, if it is to land where it stops
   double fading = 0;          // s until an acceleration has faded, if it is told while speeding up
-  double overshoot_time = 0;  // s: times the speed,
+  bool stops_on_line = false;  // up or down it slows down no sooner than across
+  double overshoot_time = 0;   // s: times the speed,
   double overshoot = 0;       // m: and this
 
   double speed = 0;            // m/s that it returns with
