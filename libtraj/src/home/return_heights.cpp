@@ -43,7 +43,7 @@ HeightRange return_heights(const ReturnModel& model, double full, double nearest
     out.most = std::max(out.most, high(model, full, furthest));
   };
   const ReturnCone& cone = model.cone;
-  if (cone.ardupilot) add(ardupilot_height, ardupilot_height);
+  if (!cone.px4_1_11 && !cone.px4_1_12) add(ardupilot_height, ardupilot_height);
   if (cone.px4_1_11) add(px4_1_11_height, px4_1_11_height);
   if (cone.px4_1_12) add(least_px4_1_12_height, px4_1_12_height);
   if (cone.px4_1_12 && model.slope <= 0) out.most = std::max(out.most, full);

@@ -20,7 +20,6 @@ ReturnCone cone_of(const Autopilot& autopilot) {
   out.px4_1_11 = autopilot.cone_of_px4_1_11;
   out.px4_1_12 = autopilot.cone_of_px4_1_12;
   out.above_height = autopilot.cone_above_return;
-  out.ardupilot = !out.px4_1_11 && !out.px4_1_12;
   out.near = autopilot.return_near;
   out.descend = autopilot.return_descend;
   return out;
@@ -55,6 +54,7 @@ void set_stop(const Autopilot& autopilot, ReturnModel& out) {
   }
   out.ramp = out.deceleration / (2 * out.jerk);
   out.fading = 2 * out.ramp;
+  out.stops_on_line = true;
   out.reaction = std::max(kReaction, kPx4StopPoint - out.ramp);
 }
 
@@ -96,6 +96,7 @@ ReturnModel dji_return_model(double height) {
   out.jerk = kDjiDeceleration;
   out.ramp = out.deceleration / (2 * out.jerk);
   out.fading = 2 * out.ramp;
+  out.stops_on_line = true;
   out.speed = kDjiSpeed;
   out.climb = kDjiClimb;
   out.descent = kDjiClimb;

@@ -34,12 +34,6 @@ Plan hull_of_both(Plan a, const Plan& b) {
   return plan_hull(std::move(a));
 }
 
-// m that it still rises or sinks.
-double vertical_way(const ReturnModel& model, double rate) {
-  return rate * model.reaction + rate * rate / (2 * kVerticalBraking) +
-         rate * kVerticalBraking / (2 * model.jerk);
-}
-
 // The most that it is fast across, m/s, from such a place on: what it has reached since its rest,
 // and what it still gains while its acceleration fades; and from what it can slow down to its next.
 double speed_at(const ReturnModel& model, const Velocity& velocity, const Plan& plan) {
@@ -85,6 +79,40 @@ bool one_way(const std::vector<Velocity>& velocities) {
     if (aside > 1e-9 * along.norm() * way.norm()) return false;
   }
   return true;
+}
+
+// How fast it is across, and up.
+struct Pace {
+  double speed = 0;  // m/s
+  double rate = 0;   // m/s
+};
+
+// The largest product of rate and seconds on the way from one pace to another.
+double most_on_way(double rate, double seconds, double other_rate, double other_seconds) {
+  const double more = other_rate - rate;
+  const double later = other_seconds - seconds;
+  double most = std::max(rate * seconds, other_rate * other_seconds);
+  if (more * later >= 0) return most;
+  const double share = std::clamp(-(more * seconds + rate * later) / (2 * more * later), 0.0, 1.0);
+  return std::max(most, (rate + share * more) * (seconds + share * later));
+}
+
+// m that it still rises (sign 1) or sinks (-1), at any pace between these.
+double vertical_way(const ReturnModel& model, const std::vector<Pace>& paces, double sign,
+                    double late) {
+  double rate = 0;
+  for (const Pace& one : paces) rate = std::max(rate, sign * one.rate);
+  double most = rate * model.reaction + rate * rate / (2 * kVerticalBraking) +
+                rate * kVerticalBraking / (2 * model.jerk);
+  if (!model.stops_on_line) return most;
+  for (std::size_t i = 0; i < paces.size(); ++i) {
+    for (std::size_t k = i; k < paces.size(); ++k) {
+      most = std::max(
+          most, most_on_way(sign * paces[i].rate, braking_factor(model, paces[i].speed) + late,
+                            sign * paces[k].rate, braking_factor(model, paces[k].speed) + late));
+    }
+  }
+  return most;
 }
 
 double overshot(const ReturnModel& model) {
@@ -228,15 +256,15 @@ Prism braking_region(const ReturnModel& model, const FlightStage& stage) {
   double fastest = 0;
   for (const Velocity& v : stage.velocity) fastest = std::max(fastest, speed_at(model, v, begin));
   const double factor = braking_factor(model, fastest);
-  double rise = 0;
-  double sink = 0;
+  double latest = 0;
+  std::vector<Pace> paces;
   for (const Velocity& v : stage.velocity) {
-    rise = std::max(rise, v.value.z());
-    sink = std::max(sink, -v.value.z());
     const double speed = speed_at(model, v, begin);
+    const double late = stage.legs.empty() ? 0 : lateness(model, v, begin, speed);
+    paces.push_back({speed, v.value.z()});
+    latest = std::max(latest, late);
     if (speed == 0) continue;
     const Vec2 along = v.value.head<2>().normalized();
-    const double late = stage.legs.empty() ? 0 : lateness(model, v, begin, speed);
     const double whole = speed * (factor + late) + model.stop_length;
     const double way = std::min(whole, way_to_rest(model, v, begin, speed));
     for (const Vec2& p : begin) {
@@ -246,8 +274,8 @@ Prism braking_region(const ReturnModel& model, const FlightStage& stage) {
   }
   const double beside = one_way(stage.velocity) ? 0 : model.stop_length;
   out.plan = widened(plan_hull(std::move(out.plan)), fastest > 0 ? model.overshoot + beside : 0);
-  out.low -= vertical_way(model, sink);
-  out.high += vertical_way(model, rise);
+  out.low -= vertical_way(model, paces, -1, latest);
+  out.high += vertical_way(model, paces, 1, latest);
   if (stage.stands_on)
     out.low = std::max(out.low, std::min(prism_around(stage.where).low, *stage.stands_on));
   return out;

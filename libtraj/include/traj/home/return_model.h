@@ -31,11 +31,10 @@ constexpr std::string_view name(ReturnAction action) {
 }
 
 // By which rules the height of a return depends on the distance from its place; a firmware's
-// versions may have several.
+// versions may have several. Without one of these: slope times the distance, from anywhere.
 struct ReturnCone {
-  bool ardupilot = false;  // slope times the distance, from anywhere
-  bool px4_1_11 = false;   // `descend` within `near`; else slope times the distance, and `descend`
-  bool px4_1_12 = false;   // twice the distance within the acceptance; the slope within `near`
+  bool px4_1_11 = false;  // `descend` within `near`; else slope times the distance, and `descend`
+  bool px4_1_12 = false;  // twice the distance within the acceptance; the slope within `near`
   bool above_height = false;  // of px4_1_12: up to twice the acceptance, even above the height
   double near = 0;            // m
   double descend = 0;         // m
@@ -68,7 +67,8 @@ struct ReturnModel {
   double stop_length = 0;     // m: and this, of a firmware that aims at a point where it stops
   double landing_later = 0;   // s: times the speed, if it is to land where it stops
   double fading = 0;          // s until an acceleration has faded, if it is told while speeding up
-  double overshoot_time = 0;  // s: times the speed,
+  bool stops_on_line = false;  // up or down it slows down no sooner than across
+  double overshoot_time = 0;   // s: times the speed,
   double overshoot = 0;       // m: and this
 
   double speed = 0;            // m/s that it returns with
