@@ -741,6 +741,11 @@ def shows_hostile_names(browser, folder, page):
         {"type": "trajectory", "id": bad, "status": "infeasible", "message": bad, "segments": []},
         {"type": "report", "id": bad, "ok": False, "checked": bad, "reason": bad, "place": [1, 9, 12], "time": 1},
         {"type": "report", "id": bad, "ok": True, "checked": "path"},
+        {"type": "report", "id": bad, "ok": False, "reason": "return", "return": {
+            "action": bad, "autopilot": bad, "share": 0.5, "duration": 4, "gaps": [
+                {"from": 0, "until": 2, "item": 1, "part": bad, "autopilot": bad, "phase": bad, "reason": bad, "at": [1, 9, 12]}]}},
+        {"type": "contingency", "id": bad, "from": 0, "until": 2, "site": bad, "points": [[0, 9, 20], [0, 9, 0]], **vehicle},
+        {"type": "contingency", "id": bad, "status": "unreachable", "from": 2, "until": 4, "message": bad, **vehicle},
         {"type": "tree", "id": bad, "nodes": 1},
         {"index": 0, "parent": 0, "first_parent": 0, "tree": 0, "cost": 0, "point": [0, 9, 12]},
         {"type": "corridor", "id": bad, "pieces": [{"vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]],
