@@ -18,7 +18,7 @@ using geom::Vec3;
 // What a vehicle may choose, each 0 to 1.
 struct Choice {
   double braking = 1;     // share of its way to rest
-  bool low = false;       // as low as the cone, or the circle about home, allows
+  bool low = false;       // as low as the circle about home allows
   double under = 0;       // share of what it may be below its height
   double acceptance = 0;  // share of the radius in which it may begin to sink
   double overshot = 0;    // share of what it may go beyond its place
@@ -68,8 +68,9 @@ inline double cruise(const traj::ReturnModel& model, const traj::ReturnTask& tas
   double z = std::max(asked, least);
   const double away = across(resting, place);
   if (choice.low && model.low_within > 0 && away < model.low_within) z = least;
-  if (choice.low && model.slope > 0) {
-    z = std::min(z, std::max(least, std::min(asked, ground + model.slope * away)));
+  if (model.slope > 0) {
+    const double base = model.rally_adds ? place.z() : ground;
+    z = std::min(z, std::max(least, std::min(asked, base + model.slope * away)));
   }
   return z;
 }
