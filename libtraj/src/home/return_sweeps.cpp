@@ -258,7 +258,8 @@ Prism braking_region(const ReturnModel& model, const FlightStage& stage) {
       out.plan.push_back(p - along * (speed * model.overshoot_time));
     }
   }
-  out.plan = widened(plan_hull(std::move(out.plan)), fastest > 0 ? model.overshoot : 0);
+  const double beside = fastest > 0 ? model.overshoot + model.sideways * fastest : 0;
+  out.plan = widened(plan_hull(std::move(out.plan)), beside);
   out.low -= vertical_way(model, paces, -1, latest);
   out.high += vertical_way(model, paces, 1, latest);
   if (stage.stands_on)
