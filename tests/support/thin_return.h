@@ -64,7 +64,8 @@ inline std::vector<Vec3> nearest(const traj::ReturnModel& model, const traj::Ret
 // Metres above its place to which a return climbs that is `away` metres from it: ArduPilot's
 // ModeRTL::compute_return_target, or PX4's calculate_return_alt_from_cone_half_angle since 1.12.
 inline double return_height(const traj::ReturnModel& model, double full, double away) {
-  if (model.cone.ardupilot && model.slope >= 0.5) return std::min(full, model.slope * away);
+  const bool any_distance = !model.cone.px4_1_11 && !model.cone.px4_1_12;
+  if (any_distance && model.slope >= 0.5) return std::min(full, model.slope * away);
   if (!model.cone.px4_1_12) return full;
   if (away <= model.acceptance) return std::min(full, 2 * away);
   double height = full;
@@ -140,7 +141,6 @@ inline Vec3 reach(const geom::CollisionScene& scene, const traj::ReturnModel& mo
 inline traj::ReturnModel thin_return_model(Random& random) {
   traj::ReturnModel model;
   model.autopilot = "thin";
-  model.cone.ardupilot = true;  // without a slope
   model.height = random.stepped(20, 80, 0.25);
   model.deceleration = random.stepped(1, 5, 0.25);
   model.jerk = 1e9;
@@ -172,8 +172,7 @@ inline traj::ReturnModel any_return_model(Random& random) {
   model.overshoot = random.below(2) * random.uniform(0, 0.5);
   model.least_climb = random.below(2) * random.uniform(0, 20);
   model.stop_length = random.below(2) * random.uniform(0, 2);
-  model.cone.ardupilot = random.below(2);
-  model.cone.px4_1_12 = !model.cone.ardupilot;
+  model.cone.px4_1_12 = random.below(2);
   model.cone.near = random.uniform(5, 60);
   model.slope = random.below(2) * random.uniform(0.5, 3);
   model.under = random.uniform(0, 2);

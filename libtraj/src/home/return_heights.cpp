@@ -47,7 +47,6 @@ HeightRange return_heights(const ReturnModel& model, double full, double nearest
   if (cone.px4_1_11) add(px4_1_11_height, px4_1_11_height);
   if (cone.px4_1_12) add(least_px4_1_12_height, px4_1_12_height);
   if (cone.px4_1_12 && model.slope <= 0) out.most = std::max(out.most, full);
-  if (!cone.ardupilot && !cone.px4_1_11 && !cone.px4_1_12) out.most = full;
   if (cone.above_height) {
     out.most = std::max(out.most, 2 * std::min(furthest, model.acceptance));
   }

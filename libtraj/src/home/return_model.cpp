@@ -72,6 +72,7 @@ ReturnModel return_model(const Autopilot& autopilot) {
   out.rally_adds = autopilot.rally_adds;
   set_places(autopilot, out);
   set_stop(autopilot, out);
+  if (autopilot.firmware == Firmware::px4) out.sideways = autopilot.overshoot_time / 2;
   out.overshoot_time = autopilot.overshoot_time;
   out.overshoot = autopilot.overshoot;
   out.speed = autopilot.speed;

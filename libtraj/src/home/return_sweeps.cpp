@@ -272,8 +272,9 @@ Prism braking_region(const ReturnModel& model, const FlightStage& stage) {
       out.plan.push_back(p - along * (speed * model.overshoot_time));
     }
   }
-  const double beside = one_way(stage.velocity) ? 0 : model.stop_length;
-  out.plan = widened(plan_hull(std::move(out.plan)), fastest > 0 ? model.overshoot + beside : 0);
+  const double turned = one_way(stage.velocity) ? 0 : model.stop_length;
+  const double beside = fastest > 0 ? model.overshoot + turned + model.sideways * fastest : 0;
+  out.plan = widened(plan_hull(std::move(out.plan)), beside);
   out.low -= vertical_way(model, paces, -1, latest);
   out.high += vertical_way(model, paces, 1, latest);
   if (stage.stands_on)

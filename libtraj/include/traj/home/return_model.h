@@ -60,16 +60,17 @@ struct ReturnModel {
   bool fence_excludes = false;  // it may leave out rally points for a fence
 
   // How it stops: seconds until it begins, the deceleration and its jerk, and what it overshoots.
-  double reaction = 0;        // s
-  double deceleration = 1;    // m/s2
-  double jerk = 1;            // m/s3
-  double ramp = 0;            // s: times the speed, while its deceleration builds up,
-  double stop_length = 0;     // m: and this, of a firmware that aims at a point where it stops
-  double landing_later = 0;   // s: times the speed, if it is to land where it stops
-  double fading = 0;          // s until an acceleration has faded, if it is told while speeding up
+  double reaction = 0;         // s
+  double deceleration = 1;     // m/s2
+  double jerk = 1;             // m/s3
+  double ramp = 0;             // s: times the speed, while its deceleration builds up,
+  double stop_length = 0;      // m: and this, of a firmware that aims at a point where it stops
+  double landing_later = 0;    // s: times the speed, if it is to land where it stops
+  double fading = 0;           // s until an acceleration has faded, if it is told while speeding up
   bool stops_on_line = false;  // up or down it slows down no sooner than across
   double overshoot_time = 0;   // s: times the speed,
-  double overshoot = 0;       // m: and this
+  double overshoot = 0;        // m: and this
+  double sideways = 0;         // s: times the speed, to either side of its way to rest
 
   double speed = 0;            // m/s that it returns with
   double climb = 0;            // m/s
