@@ -19,7 +19,6 @@ using support::Random;
 ReturnModel thin(double height = 50) {
   ReturnModel model;
   model.autopilot = "thin";
-  model.cone.ardupilot = true;  // without a slope
   model.height = height;
   model.deceleration = 1e6;
   model.jerk = 1e12;
