@@ -229,7 +229,7 @@ class Sheet {
   void draw_margins() {
     std::vector<std::vector<Point>> takes;
     std::vector<std::vector<Point>> left;
-    for (const cli::Contingency& way : flight_.ways) {
+    for (const traj::ContingencyRecord& way : flight_.ways) {
       if (!way.duration) continue;
       const bool joins = !takes.empty() && takes.back().back().x == way.from;
       if (!joins) takes.emplace_back();
@@ -286,7 +286,7 @@ class Sheet {
   // Why there is no planned way at these times.
   std::string unplanned(double from, double until) const {
     std::string why = "no planned way home";
-    for (const cli::Contingency& way : flight_.ways) {
+    for (const traj::ContingencyRecord& way : flight_.ways) {
       if (way.until <= from || way.from >= until) continue;
       why = way.found() ? "not enough energy for the planned way home to " + geom::excerpt(way.site)
             : way.message.empty() ? why

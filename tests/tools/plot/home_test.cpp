@@ -32,11 +32,11 @@ traj::ReturnSummary returns_of(double duration, const TimeSpans& gaps) {
   return out;
 }
 
-cli::Contingency way(double from, double until, double latest) {
-  cli::Contingency out{.id = "q1", .from = from, .until = until, .site = "pad"};
+traj::ContingencyRecord way(double from, double until, std::optional<double> latest) {
+  traj::ContingencyRecord out{.id = "q1", .from = from, .until = until, .site = "pad"};
   out.points = {{0, 0, 9}, {0, 0, 0}};
   out.duration = 31;
-  out.latest = latest;
+  out.latest_departure = latest;
   out.bounds_energy = true;
   return out;
 }
@@ -44,9 +44,8 @@ cli::Contingency way(double from, double until, double latest) {
 TEST(PlannedTimes, GoOnAsLongAsWaysMeetAndEnergyLasts) {
   EXPECT_EQ(plot::planned_times({way(0, 4, 4), way(4, 9, 9), way(12, 15, 13), way(15, 20, 20)}),
             (TimeSpans{{0, 9}, {12, 13}, {15, 20}}));
-  EXPECT_EQ(plot::planned_times({way(0, 9, 9), way(2, 4, 4), way(9, 10, 8)}), (TimeSpans{{0, 9}}));
-  cli::Contingency none{.id = "q1", .from = 0, .until = 5};
-  none.latest = 5;
+  EXPECT_EQ(plot::planned_times({way(0, 9, 9), way(2, 4, 4), way(9, 10, {})}), (TimeSpans{{0, 9}}));
+  traj::ContingencyRecord none{.id = "q1", .from = 0, .until = 5};
   EXPECT_TRUE(plot::planned_times({none}).empty());
 }
 
@@ -103,8 +102,7 @@ TEST(HomePlot, SaysShareHeightsAndWhatIsInTheWay) {
 TEST(HomePlot, SaysPlannedWaysAndTheirEnergy) {
   HomeFlight flight{.id = "q1"};
   flight.ways = {way(0, 4, 4), way(4, 8, 6)};
-  cli::Contingency none{.id = "q1", .from = 8, .until = 10};
-  none.latest = 10;
+  traj::ContingencyRecord none{.id = "q1", .from = 8, .until = 10};
   none.message = "no way home was found from near (1, 2, 3)";
   flight.ways.push_back(none);
   const std::string svg = plot::home(flight);

@@ -68,7 +68,7 @@ function wayTable(home) {
 
 function latestWords(way) {
   if (!way.energy) return "–";
-  return way.latest < way.from ? element("span", { class: "bad" }, "no energy") : withUnit(way.latest, 1, "s");
+  return way.latest === undefined ? element("span", { class: "bad" }, "no energy") : withUnit(way.latest, 1, "s");
 }
 
 function timeTable(columns, rows, all) {
