@@ -99,6 +99,24 @@ TEST(HomePlot, SaysShareHeightsAndWhatIsInTheWay) {
   EXPECT_FALSE(holds(svg, "nan"));
 }
 
+TEST(HomePlot, SaysABetterHeightWhereNoneIsEnough) {
+  HomeFlight flight{.id = "a"};
+  flight.height = {{0, 0}, {10, 30}};
+  flight.returns = {returns_of(10, {{2, 7}})};
+  flight.returns[0].best_height = 45;
+  flight.returns[0].best_share = 0.75;
+  const std::string better = plot::home(flight);
+  EXPECT_TRUE(
+      holds(better, "at 45 m above home it is proved for 75.0 %, and at no height for more"));
+  EXPECT_TRUE(holds(better, "best return height 45 m"));
+  EXPECT_TRUE(holds(plot::homes(std::vector{flight}), "45 m: 75.0 %"));
+  flight.returns[0].best_share = 0.5;
+  const std::string no_better = plot::home(flight);
+  EXPECT_TRUE(holds(no_better, "no return height makes all of it safe"));
+  EXPECT_FALSE(holds(no_better, "best return height"));
+  EXPECT_TRUE(holds(plot::homes(std::vector{flight}), ">none<"));
+}
+
 TEST(HomePlot, SaysPlannedWaysAndTheirEnergy) {
   HomeFlight flight{.id = "q1"};
   flight.ways = {way(0, 4, 4), way(4, 8, 6)};
