@@ -72,7 +72,7 @@ std::string height_words(const traj::ReturnSummary& returns) {
     return fmt::format("at {:.4g} m above home it is proved from every instant",
                        *returns.least_height);
   }
-  if (returns.best_height && returns.best_share && *returns.best_share > returns.share) {
+  if (returns.gains_by_height()) {
     return fmt::format("at {:.4g} m above home it is proved for {}, and at no height for more",
                        *returns.best_height, percent(*returns.best_share));
   }
@@ -161,7 +161,7 @@ class Sheet {
       };
       add("return height", one.height);
       if (one.least_height != one.height) add("least return height", one.least_height);
-      if (!one.least_height) add("best return height", one.best_height);
+      if (one.gains_by_height()) add("best return height", one.best_height);
     }
     return out;
   }
@@ -229,7 +229,7 @@ class Sheet {
   void draw_margins() {
     std::vector<std::vector<Point>> takes;
     std::vector<std::vector<Point>> left;
-    for (const cli::Contingency& way : flight_.ways) {
+    for (const traj::ContingencyRecord& way : flight_.ways) {
       if (!way.duration) continue;
       const bool joins = !takes.empty() && takes.back().back().x == way.from;
       if (!joins) takes.emplace_back();
@@ -286,7 +286,7 @@ class Sheet {
   // Why there is no planned way at these times.
   std::string unplanned(double from, double until) const {
     std::string why = "no planned way home";
-    for (const cli::Contingency& way : flight_.ways) {
+    for (const traj::ContingencyRecord& way : flight_.ways) {
       if (way.until <= from || way.from >= until) continue;
       why = way.found() ? "not enough energy for the planned way home to " + geom::excerpt(way.site)
             : way.message.empty() ? why

@@ -43,7 +43,7 @@ void add_height(HomeFlight& flight, const cli::Contents& contents) {
 double HomeFlight::duration() const {
   double out = height.empty() ? 0 : height.back().x;
   for (const traj::ReturnSummary& one : returns) out = std::max(out, one.duration);
-  for (const cli::Contingency& way : ways) out = std::max(out, way.until);
+  for (const traj::ContingencyRecord& way : ways) out = std::max(out, way.until);
   return out;
 }
 
@@ -71,14 +71,16 @@ std::vector<HomeFlight> home_flights(const cli::Contents& contents,
   return out;
 }
 
-std::vector<std::pair<double, double>> planned_times(const std::vector<cli::Contingency>& ways) {
+std::vector<std::pair<double, double>> planned_times(
+    const std::vector<traj::ContingencyRecord>& ways) {
   std::vector<std::pair<double, double>> out;
-  for (const cli::Contingency& way : ways) {
-    if (!way.found() || way.latest < way.from) continue;
+  for (const traj::ContingencyRecord& way : ways) {
+    const auto until = way.good_until();
+    if (!until) continue;
     if (!out.empty() && way.from <= out.back().second + kTouching) {
-      out.back().second = std::max(out.back().second, way.latest);
+      out.back().second = std::max(out.back().second, *until);
     } else {
-      out.emplace_back(way.from, way.latest);
+      out.emplace_back(way.from, *until);
     }
   }
   return out;

@@ -15,10 +15,10 @@ namespace plot {
 // What is known of the ways home of one flight.
 struct HomeFlight {
   std::string id;
-  std::vector<Point> height = {};                 // x: s of the flight; y: m; may be empty
-  std::vector<traj::ReturnSummary> returns = {};  // of each report
-  std::vector<cli::Contingency> ways = {};        // planned, ascending; may be empty
-  double duration() const;                        // s, of all that
+  std::vector<Point> height = {};                  // x: s of the flight; y: m; may be empty
+  std::vector<traj::ReturnSummary> returns = {};   // of each report
+  std::vector<traj::ContingencyRecord> ways = {};  // planned, ascending; may be empty
+  double duration() const;                         // s, of all that
 };
 
 // Flights that have a report with returns, or planned ways, in the order in which they first come;
@@ -29,6 +29,7 @@ std::vector<HomeFlight> home_flights(const cli::Contents& contents,
 
 // The times, s, from which there is a planned way with energy enough, as long as they go on.
 // Ascending, apart.
-std::vector<std::pair<double, double>> planned_times(const std::vector<cli::Contingency>& ways);
+std::vector<std::pair<double, double>> planned_times(
+    const std::vector<traj::ContingencyRecord>& ways);
 
 }  // namespace plot

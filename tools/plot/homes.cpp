@@ -41,7 +41,7 @@ std::string label_of(const std::string& id) {
 // "74.5 m", or the best where none is enough: "90 m: 81.2 %".
 std::string height_words(const traj::ReturnSummary& returns) {
   if (returns.least_height) return fmt::format("{:.4g} m", *returns.least_height);
-  if (!returns.best_height || !returns.best_share) return "none";
+  if (!returns.gains_by_height()) return "none";
   return fmt::format("{:.4g} m: {}", *returns.best_height, percent(*returns.best_share));
 }
 

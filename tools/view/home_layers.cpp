@@ -38,7 +38,7 @@ Json return_layer(const traj::ReturnSummary& returns, geom::Axes axes, const Loc
   return out;
 }
 
-Json contingency_layer(const cli::Contingency& way, geom::Axes axes, const LocalFrame& frame,
+Json contingency_layer(const traj::ContingencyRecord& way, geom::Axes axes, const LocalFrame& frame,
                        Bundle& bundle) {
   Json out = {{"id", way.id}, {"from", way.from}, {"until", way.until}};
   if (!way.message.empty()) out["message"] = way.message;
@@ -49,7 +49,7 @@ Json contingency_layer(const cli::Contingency& way, geom::Axes axes, const Local
   out["points"] = bundle.add(std::span<const float>(points));
   if (way.length) out["length"] = *way.length;
   if (way.duration) out["duration"] = *way.duration;
-  out["latest"] = way.latest;
+  if (const auto until = way.good_until()) out["latest"] = *until;
   out["energy"] = way.bounds_energy;
   return out;
 }

@@ -59,7 +59,7 @@ Json corridor_layer(const traj::CorridorShape& corridor, geom::Axes axes, const 
                     Bundle& bundle);
 Json report_layer(const traj::ReportSummary& report, geom::Axes axes, const LocalFrame& frame);
 Json return_layer(const traj::ReturnSummary& returns, geom::Axes axes, const LocalFrame& frame);
-Json contingency_layer(const cli::Contingency& way, geom::Axes axes, const LocalFrame& frame,
+Json contingency_layer(const traj::ContingencyRecord& way, geom::Axes axes, const LocalFrame& frame,
                        Bundle& bundle);
 
 // How a trajectory stands in the page: at `count` instants, evenly spaced, or at its joints, at

@@ -32,11 +32,11 @@ traj::ReturnSummary returns_of(double duration, const TimeSpans& gaps) {
   return out;
 }
 
-cli::Contingency way(double from, double until, double latest) {
-  cli::Contingency out{.id = "q1", .from = from, .until = until, .site = "pad"};
+traj::ContingencyRecord way(double from, double until, std::optional<double> latest) {
+  traj::ContingencyRecord out{.id = "q1", .from = from, .until = until, .site = "pad"};
   out.points = {{0, 0, 9}, {0, 0, 0}};
   out.duration = 31;
-  out.latest = latest;
+  out.latest_departure = latest;
   out.bounds_energy = true;
   return out;
 }
@@ -44,9 +44,8 @@ cli::Contingency way(double from, double until, double latest) {
 TEST(PlannedTimes, GoOnAsLongAsWaysMeetAndEnergyLasts) {
   EXPECT_EQ(plot::planned_times({way(0, 4, 4), way(4, 9, 9), way(12, 15, 13), way(15, 20, 20)}),
             (TimeSpans{{0, 9}, {12, 13}, {15, 20}}));
-  EXPECT_EQ(plot::planned_times({way(0, 9, 9), way(2, 4, 4), way(9, 10, 8)}), (TimeSpans{{0, 9}}));
-  cli::Contingency none{.id = "q1", .from = 0, .until = 5};
-  none.latest = 5;
+  EXPECT_EQ(plot::planned_times({way(0, 9, 9), way(2, 4, 4), way(9, 10, {})}), (TimeSpans{{0, 9}}));
+  traj::ContingencyRecord none{.id = "q1", .from = 0, .until = 5};
   EXPECT_TRUE(plot::planned_times({none}).empty());
 }
 
@@ -100,11 +99,28 @@ TEST(HomePlot, SaysShareHeightsAndWhatIsInTheWay) {
   EXPECT_FALSE(holds(svg, "nan"));
 }
 
+TEST(HomePlot, SaysABetterHeightWhereNoneIsEnough) {
+  HomeFlight flight{.id = "a"};
+  flight.height = {{0, 0}, {10, 30}};
+  flight.returns = {returns_of(10, {{2, 7}})};
+  flight.returns[0].best_height = 45;
+  flight.returns[0].best_share = 0.75;
+  const std::string better = plot::home(flight);
+  EXPECT_TRUE(
+      holds(better, "at 45 m above home it is proved for 75.0 %, and at no height for more"));
+  EXPECT_TRUE(holds(better, "best return height 45 m"));
+  EXPECT_TRUE(holds(plot::homes(std::vector{flight}), "45 m: 75.0 %"));
+  flight.returns[0].best_share = 0.5;
+  const std::string no_better = plot::home(flight);
+  EXPECT_TRUE(holds(no_better, "no return height makes all of it safe"));
+  EXPECT_FALSE(holds(no_better, "best return height"));
+  EXPECT_TRUE(holds(plot::homes(std::vector{flight}), ">none<"));
+}
+
 TEST(HomePlot, SaysPlannedWaysAndTheirEnergy) {
   HomeFlight flight{.id = "q1"};
   flight.ways = {way(0, 4, 4), way(4, 8, 6)};
-  cli::Contingency none{.id = "q1", .from = 8, .until = 10};
-  none.latest = 10;
+  traj::ContingencyRecord none{.id = "q1", .from = 8, .until = 10};
   none.message = "no way home was found from near (1, 2, 3)";
   flight.ways.push_back(none);
   const std::string svg = plot::home(flight);

@@ -50,6 +50,17 @@ TEST(ContingencyRecord, ThatIsAGapHasNoWay) {
   EXPECT_EQ(back.message, "no way");
 }
 
+TEST(ContingencyRecord, IsGoodAsLongAsThereIsEnergy) {
+  ContingencyRecord record = way();
+  EXPECT_EQ(record.good_until(), 6);
+  record.latest_departure.reset();
+  EXPECT_FALSE(record.good_until());
+  record.bounds_energy = false;
+  EXPECT_EQ(record.good_until(), 7);
+  record.points.clear();
+  EXPECT_FALSE(record.good_until());
+}
+
 TEST(ContingencyRecord, WithoutAStatusIsAWay) {
   const ContingencyRecord back = parse_contingency_record(
       R"({"type":"contingency","id":"a","from":0,"until":1,"site":"s","points":[[0,0,1],[0,0,0]]})",

@@ -76,7 +76,8 @@ class Records {
     } else if ((type == "report" || type == "flight") && kinds_.reports) {
       out_.reports.push_back({traj::parse_report_record(text, source_, line), source_, line});
     } else if (type == "contingency" && kinds_.contingencies) {
-      out_.contingencies.push_back({parse_contingency(text, source_, line), source_, line});
+      out_.contingencies.push_back(
+          {traj::parse_contingency_record(text, source_, line), source_, line});
     } else {
       fields.refuse({.expected = kinds_.expected, .found = geom::in_quotes(type)});
     }

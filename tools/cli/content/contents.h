@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/content/contingency.h"
 #include "cli/content/drone_file.h"
 #include "cli/option/degrees.h"
 #include "cli/option/scenes.h"
@@ -16,6 +15,7 @@
 #include "plan/lattice/lattice.h"
 #include "plan/sampling/search_tree_file.h"
 #include "traj/flight/flight_log.h"
+#include "traj/home/contingency_record.h"
 #include "traj/record/corridor_record.h"
 #include "traj/record/pair_summary.h"
 #include "traj/record/report_record.h"
@@ -42,7 +42,7 @@ struct Contents {
   std::vector<Read<traj::ReportSummary>> reports;
   std::vector<Read<traj::PairSummary>> pairs;         // beside the reports: flights held against
   std::vector<Read<traj::TogetherSummary>> together;  // one another
-  std::vector<Read<Contingency>> contingencies;
+  std::vector<Read<traj::ContingencyRecord>> contingencies;
 };
 
 // What is taken beside paths, trajectories, trees and flights: not every picture shows all.

@@ -6,7 +6,7 @@ const homeTouching = 1e-6;  // s
 function plannedTimes(ways) {
   const out = [];
   for (const way of ways) {
-    if (!way.points || way.latest < way.from) continue;
+    if (way.latest === undefined) continue;  // no way, or never the energy for it
     const last = out[out.length - 1];
     if (last && way.from <= last[1] + homeTouching) last[1] = Math.max(last[1], way.latest);
     else out.push([way.from, way.latest]);
@@ -30,7 +30,7 @@ class Home {
 
   gapAt(t) { return this.returned ? this.returned.gaps.find(g => g.from <= t && t <= g.until) || null : null; }
 
-  wayAt(t) { return this.ways.find(w => w.points && w.from <= t && t <= w.until && t <= w.latest) || null; }
+  wayAt(t) { return this.ways.find(w => w.from <= t && t <= w.latest) || null; }
 
   // How long there will still be a planned way, s; 0 where there is none.
   left(t) {

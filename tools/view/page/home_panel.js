@@ -29,9 +29,9 @@ function returnFacts(returned) {
 }
 
 // The least return height that makes all of it safe, or the best there is.
-function heightWords({ least_height, best_height, best_share }) {
+function heightWords({ least_height, best_height, best_share, share }) {
   if (least_height !== undefined) return `${shortMetres(least_height)}${thinSpace}m above home`;
-  return best_share === undefined ? "no height" : `no height; at ${shortMetres(best_height)}${thinSpace}m for ${shareWords(best_share)}`;
+  return !(best_share > share) ? "no height" : `no height; at ${shortMetres(best_height)}${thinSpace}m for ${shareWords(best_share)}`;
 }
 
 // To the instant, and to what would be met.
@@ -68,7 +68,7 @@ function wayTable(home) {
 
 function latestWords(way) {
   if (!way.energy) return "–";
-  return way.latest < way.from ? element("span", { class: "bad" }, "no energy") : withUnit(way.latest, 1, "s");
+  return way.latest === undefined ? element("span", { class: "bad" }, "no energy") : withUnit(way.latest, 1, "s");
 }
 
 function timeTable(columns, rows, all) {

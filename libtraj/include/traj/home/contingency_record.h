@@ -36,6 +36,13 @@ struct ContingencyRecord {
   geom::Provenance provenance = {};
 
   bool found() const { return !points.empty(); }
+
+  // The last instant, s of the flight, up to which the way is good for: `until` if nothing is known
+  // of energy. Nothing if there is no way, or never the energy for it.
+  std::optional<double> good_until() const {
+    if (!found()) return std::nullopt;
+    return bounds_energy ? latest_departure : until;
+  }
 };
 
 std::string to_json_line(const ContingencyRecord& record);  // ends with a newline

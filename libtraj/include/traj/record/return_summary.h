@@ -51,6 +51,8 @@ struct ReturnSummary {
   std::optional<double> best_share = {};
 
   bool ok() const { return gaps.empty(); }
+  // Whether returns at the best height are proved for longer than these.
+  bool gains_by_height() const { return best_height && best_share && *best_share > share; }
 };
 
 // The member "return" of a report. Throws InputError(source, line, …) for anything else: a missing
