@@ -10,7 +10,7 @@ namespace cli {
 namespace {
 
 const std::array kTable{FormatOption{"--where", {"vector"}},
-                        FormatOption{"--units", {"vector", "raster"}, "--terrain"}};
+                        FormatOption{"--units", {"vector", "raster"}, {"--terrain"}}};
 
 // What is said of the options beside a file of this format; empty where all count.
 std::string refusal(std::vector<std::string> options, const char* format) {

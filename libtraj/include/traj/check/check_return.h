@@ -5,9 +5,10 @@
 // Example:
 //   traj::Flier flier;
 //   flier.autopilots = {traj::px4("1.17")};
-//   traj::ReportRecord report;
-//   report.returns = traj::check_return(scene, record, flier, {.height = 60});
-//   std::cout << 100 * report.returns->share() << " % of the time\n";
+//   traj::TrajectoryRecord record{.id = "q1", .status = traj::TrajectoryStatus::solved};
+//   record.trajectory = trajectory;
+//   const auto returns = traj::check_return(scene, record, flier, {.height = 60});
+//   std::cout << 100 * returns.share() << " % of the time\n";
 
 #include <optional>
 

@@ -3,6 +3,9 @@
 // Why a flight has a return from every instant, as text that others can follow.
 //
 // Example:
+//   traj::ReturnTask task;
+//   task.models = {traj::return_model(traj::px4("1.17"))};
+//   const std::vector<std::vector<traj::FlightStage>> stages{traj::stages_of(trajectory)};
 //   const auto proved = traj::proved_stages(scene, stages, task);
 //   const std::string reasons = traj::return_reasons(scene, task, proved);
 //   assert(reasons.starts_with("[{\"autopilot\":"));

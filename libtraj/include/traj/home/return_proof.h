@@ -6,10 +6,10 @@
 //   traj::ReturnTask task;
 //   task.models = {traj::return_model(traj::px4("1.17"))};
 //   task.home = geom::Vec3{0, 0, 0};
-//   const traj::ReturnReport proof = traj::prove_return(scene, {traj::stages_of(trajectory)},
-//   task); std::cout << 100 * proof.share() << " % of the time\n"; for (const traj::ReturnGap& gap
-//   : proof.gaps) std::cout << gap.from << " to " << gap.until <<
-//   '\n';
+//   const std::vector<std::vector<traj::FlightStage>> stages{traj::stages_of(trajectory)};
+//   const traj::ReturnReport proof = traj::prove_return(scene, stages, task);
+//   std::cout << 100 * proof.share() << " % of the time\n";
+//   for (const traj::ReturnGap& gap : proof.gaps) std::cout << "none from " << gap.from << " s\n";
 
 #include <cstddef>
 #include <optional>
