@@ -19,7 +19,7 @@ void Returns::add_to(CLI::App& app) {
       ->default_str("rtl")
       ->check(CLI::IsMember({"rtl", "goHome", "land", "hold"}))
       ->type_name("ACTION");
-  cli::add_point(app, "--home", home_,
+  cli::add_point(app, "--home-place", home_,
                  "where it returns to, on the ground (default: a mission's home; else below the "
                  "beginning)");
   app.add_flag("--no-least-height", no_least_height_,
@@ -27,7 +27,7 @@ void Returns::add_to(CLI::App& app) {
 }
 
 void Returns::refuse_idle(const CLI::App& app) const {
-  cli::only_for(app, asked_, {"--home", "--no-least-height"}, "--return");
+  cli::only_for(app, asked_, {"--home-place", "--no-least-height"}, "--return");
 }
 
 traj::ReturnRules Returns::rules(const std::optional<double>& height,

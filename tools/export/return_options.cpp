@@ -28,7 +28,7 @@ void ReturnOptions::add_to(CLI::App& app) {
          "--fence", fence_,
          "fences of a mission: those of a plan or WPL file; or auto: polygons that hold the "
          "mission and each proved return, and keep out of all obstacles as high as returns")
-      ->type_name("auto|FILE");
+      ->type_name("FILE");
   app.add_option("--fence-budget", budget_,
                  "corners of all fences that the autopilot stores (default: 64 of PX4, 63 before "
                  "1.15, 70 of ArduPilot)")

@@ -51,7 +51,7 @@ constexpr std::pair<const char*, const char*> kVerbs[] = {
 
 constexpr const char* kTopics[] = {"certificates", "cities",  "clouds",  "exact",    "maps",
                                    "missions",     "models",  "motion",  "pictures", "running",
-                                   "search",       "sources", "together"};
+                                   "search",       "sources", "together", "ways-home"};
 
 std::string usage() {
   std::string text = "Usage: skyway VERB [ARGUMENT ...]\n\nVerbs (skyway VERB --help says more):\n";

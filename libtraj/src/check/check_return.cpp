@@ -146,7 +146,7 @@ ReturnReport check_return(const geom::CollisionScene& scene, const FileFlight& f
   }
   ReturnTask task = task_of(flier, rules);
   if (!rules.home && !mission->home) {
-    throw geom::UsageError("the mission does not say where home is: give it with --home x,y,z");
+    throw geom::UsageError("the mission does not say where home is: give it with --home-place x,y,z");
   }
   task.home = rules.home ? *rules.home : *mission->home;
   task.rally = mission->rally_points;

@@ -178,13 +178,13 @@ std::string home_fault(const ReturnReport& returns, const geom::BoxMap& map) {
   const std::string said =
       fmt::format("home [{:.6g}, {:.6g}, {:.6g}] is", home.x(), home.y(), home.z());
   if (!geom::contains(map.spec().bounds, home)) {
-    return said + " outside of the map's bounds: give another with --home";
+    return said + " outside of the map's bounds: give another with --home-place";
   }
   for (const ReturnGap& gap : returns.gaps) {
     if (!gap.box) continue;
     const geom::Aabb box = map.box(*gap.box);
     if (!geom::contains(box, home) || home.z() >= box.max.z()) continue;
-    return fmt::format("{} inside of {}, whose top is at z = {:.6g}: give another with --home",
+    return fmt::format("{} inside of {}, whose top is at z = {:.6g}: give another with --home-place",
                        said, obstacle(map, gap.box), box.max.z());
   }
   return "";
@@ -205,7 +205,7 @@ std::string return_advice(const ReturnReport& returns) {
   if (returns.least_height) {
     return fmt::format("; return at {:.4g} m above home", *returns.least_height);
   }
-  if (reason == Reason::landing) return "; give the height of the ground there with --home x,y,z";
+  if (reason == Reason::landing) return "; give the height of the ground there with --home-place x,y,z";
   if (!returns.least_sought) return "";
   if (returns.best_height && *returns.best_share > returns.share()) {
     return fmt::format(

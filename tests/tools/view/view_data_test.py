@@ -339,7 +339,7 @@ def check_approaches(page, records, fleet):
 
 def check_home(folder, record):
     """Returns of a report and planned ways, turned like all else; what is not said is not there."""
-    run("skyway-check", folder / "map", folder / "trajectory", "-q", "--return", "--home", "5,30,0", "--return-height", "12",
+    run("skyway-check", folder / "map", folder / "trajectory", "-q", "--return", "--home-place", "5,30,0", "--return-height", "12",
         "-o", folder / "returns", yes=False)
     report = json.loads((folder / "returns").read_text())
     assert report["return"]["gaps"], "the houses are in no way"

@@ -177,7 +177,7 @@ TEST(CheckReturn, RefusesFilesThatNoAutopilotReturnsFrom) {
 TEST(CheckReturn, RefusesAMissionWithoutAHome) {
   FileFlight file = mission();
   std::get<FlownMission>(file.flown.way).home.reset();
-  EXPECT_NE(refusal(file, {}).find("--home"), std::string::npos);
+  EXPECT_NE(refusal(file, {}).find("--home-place"), std::string::npos);
   EXPECT_EQ(refusal(file, {.home = Vec3(0, 0, 0)}), "");
 }
 

@@ -18,6 +18,7 @@ inline ReturnModel plain_model() {
   model.reaction = 0.3;
   model.deceleration = 3;
   model.jerk = 6;
+  model.ramp = 0.25;
   model.overshoot_time = 0.2;
   model.overshoot = 0.3;
   model.speed = 8;

@@ -20,7 +20,7 @@ constexpr Group kGroups[] = {
     {"Input",
      "--queries --reference --set --length=METRES --from --to --format --file-format --paths-csv "
      "--paths plan--home --home-local --contingencies --lattice --roadmap --old-map --patch --map "
-     "--plan check--tube --moving "
+     "--plan check--tube --moving --home-place "
      "--alternatives --others --planner-cmd=COMMAND --frames view--poses --epoch=INSTANT "
      "--departure=SECONDS --id=NAME --terrain --where=SQL --height-attribute=NAME "
      "--types=TYPE,... --label-by --model-path=FOLDER --without=NAME --fence --keep-out "
@@ -42,7 +42,7 @@ constexpr Group kGroups[] = {
     {"Vehicle and room",
      "--vehicle --margin=METRES --spare=METRES --memory=BYTES --navigation --tracking"},
     {"Limits",
-     "--override --require-clearance=METRES --sampled --drop-refused"},  // and geom::kLimitKinds
+     "--override --require-clearance=METRES --sampled --drop-refused check--return --no-least-height"},  // and geom::kLimitKinds
     {"Drone and place",
      "--takeoff-place --origin --geoid=METRES --ground=METRES --takeoff-height=METRES "
      "--heading=DEGREES "

@@ -19,8 +19,8 @@ constexpr Page kPages[] = {
      "--planner-cmd --quality --precision --trials --seed --threads"},
     {"skyway-check",
      "skyway-import data/downtown.csv | skyway-check - data/samples/trajectories.jsonl",
-     "--file-format --output --report --certificate --vehicle --margin --vmax --amax --ground "
-     "--autopilot --return --together --separation --exact"},
+     "--file-format --output --report --certificate --vehicle --margin --vmax --ground "
+     "--return --together --exact"},
     {"skyway-cloud", "skyway-cloud data/samples/scan.xyz --cell 1 -o scan.boxmap",
      "--format --crs --origin --unknown --allow-skipped --output --mode --cell --ground-points "
      "--floor --ceiling --bounds --threads"},
@@ -67,9 +67,9 @@ constexpr Page kPages[] = {
     {"skyway-plan",
      "skyway-import data/downtown.csv | skyway-plan - --vehicle tello --from=-372,-149,12 "
      "--to=-205,-292,40 -o path.jsonl",
-     "--from --to --queries --home --roadmap --lattice --output --certificate --vehicle --margin "
+     "--from --to --queries --home --roadmap --lattice --output --vehicle --margin "
      "--method "
-     "--quality --snap-ends --bound --seed --threads"},
+     "--quality --bound --threads"},
     {"skyway-plot", "skyway-plot profile data/samples/trajectories.jsonl --id north -o profile.svg",
      ""},
     {"skyway-query",
