@@ -252,15 +252,16 @@ Aabb box_beside(Random& random, const Vec3& place, const Vec3& normal, const Vec
   Aabb box;
   for (int i = 0; i < 3; ++i) {
     const double size = std::pow(10, random.uniform(-3, 1));
+    const double in = std::min(depth, size);  // a thinner box would not hold the place
     if (normal[i] == 0) {
       const double below = random.uniform(0.01, 0.99) * (size + 2 * reach[i]);
       box.min[i] = place[i] + reach[i] - below;
       box.max[i] = box.min[i] + size;
     } else if (normal[i] > 0) {
-      box.min[i] = place[i] - depth + reach[i];
+      box.min[i] = place[i] - in + reach[i];
       box.max[i] = box.min[i] + size;
     } else {
-      box.max[i] = place[i] + depth - reach[i];
+      box.max[i] = place[i] + in - reach[i];
       box.min[i] = box.max[i] - size;
     }
   }
