@@ -55,12 +55,12 @@ void ReturnOptions::require_sound(const CLI::App& app, const std::string& word,
                 "an export that is checked");
   cli::only_for(app, !fence_.empty(), {"--fence-budget", "--fence-out"}, "--fence");
   cli::only_for(app, !rally_.empty(), {"--rally-out"}, "--rally");
-  if (word == "volume4d") {
+  if (word == traj::kVolume4d.format.word) {
     cli::only_for(app, returns_,
                   {"--return-height", "--autopilot", "--params", "--drag", "--navigation"},
                   "volumes of airspace with --return");
   }
-  if (word != "wpl") return;
+  if (word != traj::kWpl.format.word) return;
   if (!fence_.empty() && fences_out.empty()) {
     throw cli::UsageError(
         "ground stations load the fences of WPL missions from a file of their own: name it with "
