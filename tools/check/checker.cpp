@@ -17,12 +17,17 @@ namespace {
 
 constexpr std::size_t kHeld = 128;  // records at a time
 
+// Whether its numbers can be judged; else there is nothing to prove of its returns.
+bool was_looked_at(const traj::ReportRecord& report) {
+  return report.result.ok || report.result.looked;
+}
+
 }  // namespace
 
 Checks Checker::solved(const geom::CollisionScene& scene, const traj::TrajectoryRecord& record,
                        const std::string& source, std::size_t line) const {
   Checks out{traj::check_record(scene, record, rules_.record, source, line)};
-  if (rules_.returns && (out.report.result.ok || out.report.result.looked)) {
+  if (rules_.returns && was_looked_at(out.report)) {
     traj::ReturnRules returns = *rules_.returns;
     returns.start = geom::start_on(scene.map(), record.time, source, line);
     out.report.returns = traj::check_return(scene, record, *rules_.flier, returns);
@@ -60,7 +65,7 @@ Checks Checker::path(const geom::PathRecord& record, const std::string& source,
   if (rules_.returns) rules.asked[traj::Limit::speed].reset();  // it is flown with that
   Checks out{traj::check_record(*scene, record, rules, source, line),
              profile_.rows(record.id, *scene, record.points)};
-  if (rules_.returns) {
+  if (rules_.returns && was_looked_at(out.report)) {
     out.report.returns = traj::check_return(*scene, record, *rules_.flier, *rules_.returns);
   }
   return out;
@@ -78,7 +83,7 @@ Checks Checker::flown(const traj::FileFlight& file) const {
     rules_.metres.check_input(scene.map().spec().frame, legs->path, file.id, 0);
   }
   Checks out{traj::check_record(scene, file, *rules_.flier, rules_.record)};
-  if (rules_.returns) {
+  if (rules_.returns && was_looked_at(out.report)) {
     out.report.returns = traj::check_return(scene, file, *rules_.flier, *rules_.returns);
   }
   if (!legs) {

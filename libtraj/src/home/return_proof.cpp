@@ -233,7 +233,9 @@ class Prover {
       if (const auto out = out_of_bounds(one)) return out;
       const std::size_t list = lists.first + i;
       const bool known = list < lists.of_whole.size() && lists.of_whole[list];
-      lists.near[list] = near_of(one, known ? *lists.of_whole[list] : boxes_around(one));
+      const bool sinks = one.phase == ReturnPhase::descent;
+      const Aabb stands = sinks ? box_of(sweeps.back().region) : *geom::bounds(stage.where);
+      lists.near[list] = near_of(one, stands, known ? *lists.of_whole[list] : boxes_around(one));
       if (const auto met = box_met(one, *lists.near[list], stage.from, stage.until + lasts)) {
         return met;
       }
@@ -260,14 +262,22 @@ class Prover {
     return scene_.boxes_meeting(around);
   }
 
+  // Whether the vehicle stands on the obstacle: it is no higher than the ground and lies below the
+  // places `stands`, where the flight is, or where it lands. Other obstacles as low are in the way.
+  bool is_stood_on(const ReturnSweep& one, const Aabb& stands, const Aabb& obstacle) const {
+    if (!one.stands_on || obstacle.max.z() > *one.stands_on) return false;
+    const Vec3 apart = (stands.min - obstacle.max).cwiseMax(obstacle.min - stands.max);
+    return apart.x() <= half_.x() + kBesidePad && apart.y() <= half_.y() + kBesidePad;
+  }
+
   // Those that the sweep may meet, and a hair more: its parts may be further out by rounding.
-  std::vector<std::size_t> near_of(const ReturnSweep& one,
+  std::vector<std::size_t> near_of(const ReturnSweep& one, const Aabb& stands,
                                    const std::vector<std::size_t>& boxes) const {
     constexpr double kHair = 1e-6;  // m
     std::vector<std::size_t> out;
     for (const std::size_t i : boxes) {
       const Aabb obstacle = scene_.map().box(i);
-      if (one.stands_on && obstacle.max.z() <= *one.stands_on) continue;
+      if (is_stood_on(one, stands, obstacle)) continue;
       if (meets(one.region, geom::grow(obstacle, half_ + Vec3::Constant(kHair)))) out.push_back(i);
     }
     return out;
@@ -350,6 +360,10 @@ std::vector<ReturnGap> joined(std::vector<ReturnGap> gaps) {
 
 void require_task(std::span<const std::vector<FlightStage>> stages, const ReturnTask& task) {
   if (task.models.empty()) throw geom::UsageError("a return needs an autopilot");
+  for (const std::vector<FlightStage>& one : stages) {
+    if (one.empty())
+      throw geom::UsageError("a return needs the stages of a flight: there are none");
+  }
   if (stages.size() == task.models.size()) return;
   throw geom::UsageError("a return needs the stages of the flight for each autopilot");
 }

@@ -58,6 +58,15 @@ def flight(name, **keys):
                          for a, b in zip(places, places[1:])], **keys}
 
 
+def from_the_ground(name):
+    """Straight up from a place without houses, and across."""
+    record = flight(name)
+    along = lambda a, b: [a, a, a, a + (b - a) / 4, b - (b - a) / 4, b, b, b]
+    places = [[250, 250, 0.6], [250, 250, 40], [250, -250, 40]]
+    record["segments"] = [{"duration": 60, **{axis: along(a[i], b[i]) for i, axis in enumerate("xyz")}} for a, b in zip(places, places[1:])]
+    return record
+
+
 def path(name):
     return {"type": "path", "id": name, "status": "found", "vehicle": {"name": "v", "half": [0.5, 0.5, 0.3]}, "margin": 0.25,
             "points": [[random.uniform(-100, 100), random.uniform(-100, 100), random.uniform(36, 50)] for _ in range(4)]}
@@ -242,6 +251,8 @@ for map_file in ("m.boxmap", "timed.boxmap"):
     towers = BoxMap("m.boxmap").boxes
     keys = {} if map_file == "m.boxmap" else {"epoch": "2026-05-04T06:30:00Z", "start": 20000}
     flights = [flight(f"f{i}", **keys) for i in range(4)]
+    if not keys:
+        flights.append(from_the_ground("ground"))
     cases = proved(map_file, flights, "--return", "--return-height", "60")
     if map_file == "m.boxmap":
         cases += proved(map_file, flights, "--return", "hold")

@@ -16,6 +16,7 @@ from verify_certificate import (LONGEST, BoxMap, Refused, an_object, by_id, entr
 PHASES = ("braking", "climb", "way", "descent", "landing")
 SINKS = ("descent", "landing")
 HAIR = F(1, 2 * 10**9)  # m: rounding may put a place so far beside its region; the room has more to spare
+BESIDE, ABOVE = F(2), F(3)  # m: a flight is so near to the pad below its first or last place
 ROUNDED = F(1, 10**9)  # s, in a flight's times
 
 
@@ -141,6 +142,16 @@ def require_all_legs(points, stages):
 
 # ---- What is claimed of it.
 
+def ends_of(record):
+    """Its first and its last place."""
+    if record["type"] == "trajectory":
+        curve = curve_of(record)[0]
+        return [curve[0][2][0], curve[-1][2][-1]]
+    points = [fractions(numbers(p, 3, "a point")) for p in entries(record.get("points"), "points")]
+    require(points, "the record has no points")
+    return [points[0], points[-1]]
+
+
 class Claim:
     def __init__(self, record, certificate, box_map):
         sides = [numbers(s, 3, "the bounds") for s in entries(certificate.get("bounds"), "the bounds of the certificate")]
@@ -151,6 +162,7 @@ class Claim:
         self.start = times_claimed(record, certificate, box_map).get("start")
         self.action = text(certificate, "action", "the certificate")
         require(self.action in ("rtl", "land", "hold"), f"the action {self.action!r} is not known")
+        self.ends = ends_of(record)
         self.home = fractions(numbers(certificate.get("home"), 3, "home"))
         self.box_map = box_map
 
@@ -162,16 +174,31 @@ class Claim:
         return (high is None or high >= self.start + begin) and (low is None or low <= self.start + end)
 
 
-def require_clear(claim, obstacles, half, prism, sweep, stage):
+def is_below(places, low, high):
+    """Whether a box that is grown by the vehicle is so near to these places in plan that the vehicle there stands on it."""
+    return all(low[i] - BESIDE <= places[i][1] and places[i][0] - BESIDE <= high[i] for i in (0, 1))
+
+
+def is_low_above_an_end(claim, stands, stage):
+    """Whether all of the stage is beside one end of the record, and not far above what it stands on."""
+    def is_near(place, end):
+        return all(abs(place[i] - end[i]) <= BESIDE for i in (0, 1)) and stands <= place[2] <= stands + ABOVE
+    return any(all(is_near(place, end) for place in stage["where"]) for end in claim.ends)
+
+
+def require_clear(claim, obstacles, half, group, prism, sweep, stage):
     low, high = (fractions(side) for side in claim.box_map.bounds)
     stands = sweep.get("stands_on")
-    require(stands is None or (sweep["phase"] in SINKS and F(number(stands, "stands_on")) == claim.home[2]),
-            "only a way down may stand on something, which is home's ground")
+    places = group[-1][1].sides if sweep["phase"] in SINKS else stage["sides"]
+    if stands is not None:
+        stands = F(number(stands, "stands_on"))
+        require(stands == claim.home[2] if sweep["phase"] in SINKS else is_low_above_an_end(claim, stands, stage),
+                "only a way down to home's ground, and a flight low above its first or last place, may stand on something")
     require(all(l + h <= side[0] and side[1] <= u - h for l, u, h, side in zip(low, high, half, prism.sides)) and
             prism.high <= high[2] - half[2] and (stands is not None or prism.low >= low[2] + half[2]),
             f"the {sweep['phase']} leaves the bounds")
     for index, (box_low, box_high, top) in enumerate(obstacles):
-        if stands is not None and top <= F(stands):
+        if stands is not None and top <= stands and is_below(places, box_low, box_high):
             continue
         if prism.is_apart(box_low, box_high) or not claim.is_there(index, stage["from"], stage["until"] + stage["lasts"]):
             continue
@@ -197,6 +224,7 @@ def a_stage(one):
     require(stage["from"] <= stage["until"], "a stage ends before it begins")
     stage["where"] = [fractions(numbers(p, 3, "a place")) for p in entries(one.get("where"), "where")]
     require(stage["where"], "a stage is nowhere")
+    stage["sides"] = [(min(p[i] for p in stage["where"]), max(p[i] for p in stage["where"])) for i in (0, 1)]
     stage["groups"] = []
     for sweep in entries(one.get("sweeps"), "sweeps"):
         phase = text(an_object(sweep, "a sweep"), "phase", "a sweep")
@@ -228,7 +256,7 @@ def verify(record, certificate, box_map):
             require_whole(claim, stage["groups"])
             for group in stage["groups"]:
                 for sweep, prism in group:
-                    require_clear(claim, obstacles, half, prism, sweep, stage)
+                    require_clear(claim, obstacles, half, group, prism, sweep, stage)
         if record["type"] == "trajectory":
             curve, duration = curve_of(record)
             for stage in stages:

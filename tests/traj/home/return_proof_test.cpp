@@ -405,6 +405,25 @@ TEST(BestReturnHeight, ProvesNothingWhereNoneHelps) {
 }
 
 // Below the top of what it stands on, a wall is beside it.
+TEST(ProveReturn, APadIsNoExcuseForTheRoofBesideIt) {
+  const Aabb pad{{-3, -3, 0}, {3, 3, 20}};
+  const Aabb roof{{6, -3, 0}, {10, 3, 20}};  // as high, and within reach while it brakes
+  ReturnModel model = thin();
+  model.deceleration = 2;
+  ReturnTask task = task_of(model, {0, 0, 20});
+  task.pads = {{0, 0, 20}};
+  task.action = ReturnAction::hold;
+  const Trajectory low{{hermite(State{{-1.9, 0, 21}}, State{{1.9, 0, 21}}, 1.5)}};
+  const Vec3 half(0.5, 0.5, 1.5);  // its feet are below the roofs' tops
+  EXPECT_TRUE(prove(scene_of({pad}, half, 0), low, task).ok());
+  EXPECT_FALSE(prove(scene_of({pad, roof}, half, 0), low, task).ok());
+}
+
+TEST(ProveReturn, NeedsStages) {
+  const std::vector<std::vector<FlightStage>> none(1);
+  EXPECT_THROW(prove_return(testing::scene_of({}), none, task_of(thin())), geom::UsageError);
+}
+
 TEST(ProveReturn, APadIsNoExcuseForTheWallBelowIt) {
   const Aabb house{{-9, -9, 0}, {0.5, 9, 20}};
   ReturnTask task = task_of(thin(), {40, 0, 0});
