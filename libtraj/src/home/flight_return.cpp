@@ -14,6 +14,13 @@ ReturnModel model_of(const Autopilot& autopilot, const std::optional<double>& he
   return model;
 }
 
+// The ground below an end of a flight, if it is level.
+void add_pad(const geom::CollisionScene& scene, const Vec3& end, ReturnTask& task) {
+  constexpr double kLevel = 1;  // m
+  const LandingGround ground = landing_ground(scene, end, Vec3::Zero(), kLevel);
+  if (ground.whole) task.pads.emplace_back(end.x(), end.y(), ground.height);
+}
+
 }  // namespace
 
 FlightReturn flight_return(const FlownMission& mission, const Flier& flier,
@@ -28,7 +35,7 @@ FlightReturn flight_return(const FlownMission& mission, const Flier& flier,
     const auto autopilot =
         std::find_if(flier.autopilots.begin(), flier.autopilots.end(),
                      [&](const Autopilot& one) { return one.name == drift.autopilot; });
-    if (autopilot == flier.autopilots.end()) continue;
+    assert(autopilot != flier.autopilots.end());  // the mission was read for this flier
     out.task.models.push_back(model_of(*autopilot, height));
     out.task.models.back().around += mission.path_stray;
     out.stages.push_back(stages_of(drift));
@@ -36,17 +43,27 @@ FlightReturn flight_return(const FlownMission& mission, const Flier& flier,
   return out;
 }
 
-FlightReturn flight_return(const geom::CollisionScene& scene, const Trajectory& trajectory,
-                           const Flier& flier, const std::optional<double>& height) {
-  const Vec3& begin = trajectory.segments.front().point.front();
+FlightReturn flight_return(const geom::CollisionScene& scene,
+                           const std::vector<FlightStage>& stages, const Vec3& begin,
+                           const Vec3& end, const Flier& flier,
+                           const std::optional<double>& height) {
   FlightReturn out;
   out.task.home = {begin.x(), begin.y(), ground_below(scene, begin)};
-  out.task.room = flier.allowance(false);
+  out.task.room =
+      flier.allowance(true);  // the model of an autopilot says how missions are followed
+  add_pad(scene, begin, out.task);
+  add_pad(scene, end, out.task);
   for (const Autopilot& autopilot : flier.autopilots) {
     out.task.models.push_back(model_of(autopilot, height));
   }
-  out.stages.assign(out.task.models.size(), stages_of(trajectory));
+  out.stages.assign(out.task.models.size(), stages);
   return out;
+}
+
+FlightReturn flight_return(const geom::CollisionScene& scene, const Trajectory& trajectory,
+                           const Flier& flier, const std::optional<double>& height) {
+  return flight_return(scene, stages_of(trajectory), trajectory.segments.front().point.front(),
+                       trajectory.segments.back().point.back(), flier, height);
 }
 
 }  // namespace traj

@@ -27,8 +27,15 @@ struct FlightReturn {
 FlightReturn flight_return(const FlownMission& mission, const Flier& flier,
                            const std::optional<double>& height);
 
-// From every instant of a trajectory, in the axes of the scene's map, to the ground below its
-// beginning, by each autopilot of the flier.
+// From every one of these stages of a flight between two places, in the axes of the scene's map, to
+// the ground below the first, by each autopilot of the flier. It stands on the level ground below
+// either place.
+FlightReturn flight_return(const geom::CollisionScene& scene,
+                           const std::vector<FlightStage>& stages, const Vec3& begin,
+                           const Vec3& end, const Flier& flier,
+                           const std::optional<double>& height);
+
+// The same of a trajectory.
 FlightReturn flight_return(const geom::CollisionScene& scene, const Trajectory& trajectory,
                            const Flier& flier, const std::optional<double>& height);
 
