@@ -1,7 +1,10 @@
 #include "contingencies.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "cli/batch.h"
@@ -54,6 +57,15 @@ class ContingencyChecker {
     const auto scene = run_.scenes.shared_scene_for(room_of(flight, records), source, line);
     run_.metres.check_input(scene->map().spec().frame, flight.places(), source, line);
     return traj::check_contingencies(*scene, flight.id, flight.stages, records, rules_);
+  }
+
+  // Throws InputError for contingencies of a flight that is not among these.
+  void require_used(const std::set<std::string>& flights) const {
+    for (const auto& [id, records] : records_) {
+      if (flights.contains(id)) continue;
+      throw geom::InputError(source_, {.expected = "contingencies of the flights that are checked",
+                                       .found = fmt::format("some of flight {}", id)});
+    }
   }
 
  private:
@@ -116,6 +128,7 @@ cli::Exit Contingencies::check(const Run& run) const {
   cli::Batch batch;
   std::size_t total = 0;
   std::size_t failed = 0;
+  std::set<std::string> flights;
   const auto next = [&]() -> std::optional<CheckedFlight> {
     while (auto line = lines.next()) {
       if (run.sharding.shard().takes(total++)) return CheckedFlight{*std::move(line)};
@@ -129,12 +142,14 @@ cli::Exit Contingencies::check(const Run& run) const {
     const traj::ReportRecord& report = item.report;
     const bool ok = traj::accepted(report);
     failed += !ok;
+    flights.insert(report.id);
     ok ? batch.add_good()
        : batch.add_failed(traj::verdict_word(report),
                           report.id + ": " + traj::in_words(report, map));
     run.report.is_text() ? table.add(report, map) : out.add(traj::to_json_line(report, map));
   };
   geom::in_order<CheckedFlight>(run.common.execution("flights"), kFlightsHeld, next, work, take);
+  if (!run.sharding.asked()) checker.require_used(flights);
   const cli::Exit exit = failed > 0 ? cli::Exit::no : cli::Exit::yes;
   if (run.report.is_text()) out.add(table.text(run.report.colour()));
   out.commit(total, exit);

@@ -198,11 +198,7 @@ void tell(const cli::Common& common, const Planned& planned, double gap, bool of
   if (of_one && !planned.found) cli::complain("skyway-plan", planned.last.record.message);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  CLI::App app{"Plan collision-free paths through a box map.", "skyway-plan"};
-  cli::Common common(app, true);
+struct Options {
   cli::VehicleOptions vehicle;
   cli::ArtefactFiles prepared;
   planning::SearchOptions search;
@@ -210,21 +206,20 @@ int main(int argc, char** argv) {
   planning::HomeOption home;
   std::string map_file;
   std::string output = "-";
-  cli::Sharding sharding;
-  app.add_option("map", map_file, "box map; - for stdin")->required();
-  prepared.add_to(app);
-  cli::add_quality(app, search.plan.quality);
-  asked.add_to(app);
-  cli::add_output(app, "-o,--output", output, "paths (default: stdout)");
-  search.add_to(app);
-  vehicle.add_to(app);
-  vehicle.add_memory_to(app);
-  home.add_to(app);
-  sharding.add_to(app)->excludes("--tree");
-  return cli::run_tool(app, argc, argv, [&] {
-    home.refuse_idle(app);
-    if (!home.asked()) asked.require_some(sharding.asked());
-    search.refuse_idle(app, prepared);
+
+  void add_to(CLI::App& app) {
+    app.add_option("map", map_file, "box map; - for stdin")->required();
+    prepared.add_to(app);
+    cli::add_quality(app, search.plan.quality);
+    asked.add_to(app);
+    cli::add_output(app, "-o,--output", output, "paths (default: stdout)");
+    search.add_to(app);
+    vehicle.add_to(app);
+    vehicle.add_memory_to(app);
+    home.add_to(app);
+  }
+
+  void begin(cli::Sharding& sharding, CLI::App& app) const {
     cli::at_most_one_stdin(
         {map_file, prepared.lattice, prepared.roadmap, asked.file(), home.sites(), home.flights()});
     sharding.begin(app,
@@ -235,37 +230,62 @@ int main(int argc, char** argv) {
                     {"home", home.sites()},
                     {"flights", home.flights()}},
                    {{"output", output}, {"certificate", search.certificate}});
+  }
+};
+
+cli::Exit plan_home(Options& options, const CLI::App& app, const cli::Common& common,
+                    const cli::Sharding& sharding) {
+  const bool chosen = app.count("--quality") > 0;
+  return options.home.plan({common, options.map_file, options.vehicle, options.asked.metres(),
+                            chosen ? std::optional(options.search.plan.quality) : std::nullopt,
+                            options.output, sharding});
+}
+
+cli::Exit plan_paths(Options& options, const cli::Common& common, const cli::Sharding& sharding) {
+  planning::SearchOptions& search = options.search;
+  // A certificate stands for the map.
+  const auto trust =
+      search.certificate.empty() ? geom::Verified::extents : geom::Verified::contents;
+  cli::Scenes scenes(cli::open_map(options.map_file, trust, common.execution("verify")),
+                     options.vehicle, cli::Scenes::Differences::refused);
+  const geom::CollisionScene& scene = scenes.scene();
+  const cli::Artefacts given(options.prepared);
+  given.require_made_for(scene);
+  const auto named = given.lattice() ? std::nullopt : search.named_lattice(scene);
+  const std::vector<geom::PlanQuery> queries = options.asked.read(scene.map());
+  search.check(queries.size());
+  plan::Planner planner(scene, named ? &*named : given.lattice(), given.roadmap());
+  Outputs out(options.output, search.certificate, sharding);
+  Planned planned = plan_each(Answers(planner, scene, search), queries, sharding.shard(),
+                              common.execution("paths"), out);
+  planned.timed = scene.map().timed().size();
+  const cli::Exit exit = planned.found == planned.records ? cli::Exit::yes : cli::Exit::no;
+  out.commit(queries.size(), exit);
+  if (!search.tree_file.empty()) {
+    write_tree(search.tree_file, planned.last.tree, planned.last.record);
+  }
+  common.write_stats(
+      {{"queries", planned.records}, {"found", planned.found}, {"collision", scenes.stats()}});
+  tell(common, planned, search.plan.gap, queries.size() == 1);
+  return exit;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Plan collision-free paths through a box map.", "skyway-plan"};
+  cli::Common common(app, true);
+  Options options;
+  cli::Sharding sharding;
+  options.add_to(app);
+  sharding.add_to(app)->excludes("--tree");
+  return cli::run_tool(app, argc, argv, [&] {
+    options.home.refuse_idle(app);
+    if (!options.home.asked()) options.asked.require_some(sharding.asked());
+    options.search.refuse_idle(app, options.prepared);
+    options.begin(sharding, app);
     if (const auto done = sharding.finished(common)) return *done;
-    if (home.asked()) {
-      const bool chosen = app.count("--quality") > 0;
-      return home.plan({common, map_file, vehicle, asked.metres(),
-                        chosen ? std::optional(search.plan.quality) : std::nullopt, output,
-                        sharding});
-    }
-    // A certificate stands for the map.
-    const auto trust =
-        search.certificate.empty() ? geom::Verified::extents : geom::Verified::contents;
-    cli::Scenes scenes(cli::open_map(map_file, trust, common.execution("verify")), vehicle,
-                       cli::Scenes::Differences::refused);
-    const geom::CollisionScene& scene = scenes.scene();
-    const cli::Artefacts given(prepared);
-    given.require_made_for(scene);
-    const auto named = given.lattice() ? std::nullopt : search.named_lattice(scene);
-    const std::vector<geom::PlanQuery> queries = asked.read(scene.map());
-    search.check(queries.size());
-    plan::Planner planner(scene, named ? &*named : given.lattice(), given.roadmap());
-    Outputs out(output, search.certificate, sharding);
-    Planned planned = plan_each(Answers(planner, scene, search), queries, sharding.shard(),
-                                common.execution("paths"), out);
-    planned.timed = scene.map().timed().size();
-    const cli::Exit exit = planned.found == planned.records ? cli::Exit::yes : cli::Exit::no;
-    out.commit(queries.size(), exit);
-    if (!search.tree_file.empty()) {
-      write_tree(search.tree_file, planned.last.tree, planned.last.record);
-    }
-    common.write_stats(
-        {{"queries", planned.records}, {"found", planned.found}, {"collision", scenes.stats()}});
-    tell(common, planned, search.plan.gap, queries.size() == 1);
-    return exit;
+    if (options.home.asked()) return plan_home(options, app, common, sharding);
+    return plan_paths(options, common, sharding);
   });
 }

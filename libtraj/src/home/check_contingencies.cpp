@@ -62,7 +62,8 @@ class Prover {
   }
 
   Refused energy_claim_refused(const ContingencyRecord& record) const {
-    if (!rules_.energy || record.latest_departure == record.until) return std::nullopt;
+    const bool bounded = rules_.energy || record.bounds_energy;
+    if (!bounded || record.latest_departure == record.until) return std::nullopt;
     return Refusal{Reason::endurance, record.latest_departure.value_or(record.from),
                    record.points.front(),
                    fmt::format("not enough energy for the way to {}", record.site)};
@@ -108,6 +109,9 @@ class Prover {
   WayRoom room_;
   WayTime time_;
 };
+
+constexpr const char* kEnergyNotChecked =
+    "whether the battery is enough was not checked (--vehicle with an energy)";
 
 // The times of the flight that no record covers.
 struct Uncovered {
@@ -182,7 +186,10 @@ ReportRecord check_contingencies(const geom::CollisionScene& scene, const std::s
   if (!first) first = without_way(stages, records);
   report.result.looked = true;
   report.result.ok = !first;
-  if (!first) return report;
+  if (!first) {
+    if (!rules.energy) report.detail = kEnergyNotChecked;
+    return report;
+  }
   report.result.reason = first->reason;
   report.result.time = first->time;
   report.result.place = first->place;

@@ -34,8 +34,9 @@ Plan hull_of_both(Plan a, const Plan& b) {
   return plan_hull(std::move(a));
 }
 
-// The most that it is fast across, m/s, from such a place on: what it has reached since its rest,
-// and what it still gains while its acceleration fades; and from what it can slow down to its next.
+// The largest horizontal speed, m/s, that the vehicle may have in the plan. It has sped up since
+// its last rest, gains a little more while its acceleration fades, and can still slow down to its
+// next rest.
 double speed_at(const ReturnModel& model, const Velocity& velocity, const Plan& plan) {
   double speed = velocity.value.head<2>().norm();
   const auto reached = [&](const Vec3& rest) {

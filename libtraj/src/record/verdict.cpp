@@ -8,6 +8,7 @@
 
 #include "geom/text/excerpt.h"
 #include "geom/vehicle/shown_limit.h"
+#include "record/return_verdict.h"
 #include "traj/proof/domain.h"
 
 namespace traj {
@@ -18,14 +19,6 @@ std::string spoken(std::string_view quantity) {
   std::string out(quantity);
   std::replace(out.begin(), out.end(), '_', ' ');
   return out;
-}
-
-// "obstacle 7 (town hall)".
-std::string obstacle(const geom::BoxMap& map, std::optional<std::size_t> box) {
-  if (!box) return "an obstacle";
-  const std::string& label = map.labels()[map.label()[*box]];
-  return fmt::format("obstacle {}{}", map.ids()[*box],
-                     label.empty() ? "" : fmt::format(" ({})", geom::excerpt(label, 40)));
 }
 
 // The side of the bounds that a vehicle of such half sizes is furthest beyond.
@@ -148,98 +141,6 @@ std::string clearance_in_words(const CheckResult& result, bool path) {
                      path ? "" : " s");
 }
 
-std::string_view phase_in_words(std::string_view phase) {
-  if (phase == "way") return "on its way home";
-  if (phase == "climb") return "while it climbs";
-  if (phase == "descent") return "while it sinks";
-  return phase == "braking" ? "while it brakes" : "where it lands";
-}
-
-std::string met_in_words(const ReturnGap& gap, const geom::BoxMap& map) {
-  const Vec3& p = gap.place;
-  const std::string near = fmt::format(", near [{:.3f}, {:.3f}, {:.3f}]", p.x(), p.y(), p.z());
-  switch (gap.reason) {
-    case Reason::bounds:
-      return "the vehicle leaves the map's bounds" + near;
-    case Reason::fence:
-      return "the vehicle leaves the fence" + near;
-    case Reason::landing:
-      return "there is no level ground as high as home" + near;
-    case Reason::return_home:
-      return "the autopilot may go to a place that is not known";
-    default:
-      return "the vehicle meets " + obstacle(map, gap.box) + near;
-  }
-}
-
-// Where home is no place to land at; empty where it may be.
-std::string home_fault(const ReturnReport& returns, const geom::BoxMap& map) {
-  const Vec3& home = returns.home;
-  const std::string said =
-      fmt::format("home [{:.6g}, {:.6g}, {:.6g}] is", home.x(), home.y(), home.z());
-  if (!geom::contains(map.spec().bounds, home)) {
-    return said + " outside of the map's bounds: give another with --home-place";
-  }
-  for (const ReturnGap& gap : returns.gaps) {
-    if (!gap.box) continue;
-    const geom::Aabb box = map.box(*gap.box);
-    if (!geom::contains(box, home) || home.z() >= box.max.z()) continue;
-    return fmt::format("{} inside of {}, whose top is at z = {:.6g}: give another with --home-place",
-                       said, obstacle(map, gap.box), box.max.z());
-  }
-  return "";
-}
-
-// What is not proved.
-std::string_view unproved(std::string_view action) {
-  if (action == "land") return "no landing is proved";
-  return action == "hold" ? "no stop is proved" : "no way home is proved";
-}
-
-// What to change; empty if nothing is known that helps.
-std::string return_advice(const ReturnReport& returns) {
-  const Reason reason = returns.gaps.front().reason;
-  if (returns.action != "rtl") return "";
-  if (reason == Reason::return_home)
-    return "; set RTL_TYPE so that it returns to home or a rally point";
-  if (returns.least_height) {
-    return fmt::format("; return at {:.4g} m above home", *returns.least_height);
-  }
-  if (reason == Reason::landing) return "; give the height of the ground there with --home-place x,y,z";
-  if (!returns.least_sought) return "";
-  if (returns.best_height && *returns.best_share > returns.share()) {
-    return fmt::format(
-        ", and at {:.4g} m above home for {:.4g} %; no return height makes all of it safe: fly "
-        "another "
-        "way, or add rally points",
-        *returns.best_height, 100 * *returns.best_share);
-  }
-  return "; no return height makes all of it safe: fly another way, or add rally points";
-}
-
-std::string gap_in_words(const ReturnGap& gap, const geom::BoxMap& map) {
-  return fmt::format("from {:.4g} s to {:.4g} s no way home is proved: {} {}", gap.from, gap.until,
-                     phase_in_words(gap.phase), met_in_words(gap, map));
-}
-
-// Of a refused report, where the flight itself is clear.
-std::string returns_in_words(const ReturnReport& returns, const geom::BoxMap& map) {
-  const ReturnGap& gap = returns.gaps.front();
-  std::string out =
-      fmt::format("from {:.4g} s to {:.4g} s {}", gap.from, gap.until, unproved(returns.action));
-  const std::string home = returns.action == "rtl" ? home_fault(returns, map) : "";
-  if (!home.empty()) return out + ": " + home;
-  if (gap.autopilot != returns.autopilot) out += " as " + gap.autopilot + " flies it";
-  out += ": ";
-  if (gap.reason != Reason::return_home) out += std::string(phase_in_words(gap.phase)) + " ";
-  out += met_in_words(gap, map);
-  if (returns.gaps.size() > 1)
-    out += fmt::format("; {} later times are like it", returns.gaps.size() - 1);
-  out += fmt::format("; {} is proved for {:.4g} % of the flight", returns.action,
-                     100 * returns.share());
-  return out + return_advice(returns);
-}
-
 std::string accepted_in_words(const ReportRecord& report) {
   const CheckResult& result = report.result;
   const bool path = report.checked == "path";
@@ -350,10 +251,6 @@ std::string flown_in_words(const FlightPathCheck& check, const FlightReport& rep
 
 }  // namespace
 
-std::string in_words(const ReturnGap& gap, const geom::BoxMap& map) {
-  return gap_in_words(gap, map);
-}
-
 std::string fault_in_words(const CheckResult& result, const geom::BoxMap& map, const HeldTo& held) {
   for (const LimitKind& kind : kLimitKinds) {
     if (result.reason == broken(kind.limit)) return limit_fault(kind, result, held.limits);
@@ -382,8 +279,8 @@ std::string fault_in_words(const CheckResult& result, const geom::BoxMap& map, c
                          side(map, result.place, held.half));
     case Reason::collision:
       return worst > 0 ? fmt::format("the vehicle reaches {:.3g} m into {}", worst,
-                                     obstacle(map, result.box))
-                       : "the vehicle touches " + obstacle(map, result.box);
+                                     obstacle_in_words(map, result.box))
+                       : "the vehicle touches " + obstacle_in_words(map, result.box);
     case Reason::undecided:
       return "it could not be shown that the way is clear";
     case Reason::takeoff:
@@ -452,7 +349,8 @@ std::string_view verdict_word(const ReportRecord& report) {
 std::string in_words(const ReportRecord& report, const geom::BoxMap& map) {
   if (report.checked == kCheckedContingency) {
     return accepted(report)
-               ? fmt::format("ways home from every instant of {:.4g} s", report.result.duration)
+               ? fmt::format("ways home from every instant of {:.4g} s{}{}", report.result.duration,
+                             report.detail.empty() ? "" : "; ", report.detail)
                : report.detail;
   }
   if (accepted(report)) return accepted_in_words(report);

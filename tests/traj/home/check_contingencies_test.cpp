@@ -103,6 +103,21 @@ TEST(CheckContingencies, HoldTheEnergyToo) {
   EXPECT_TRUE(silent.check().ok);
 }
 
+// A record that says itself that the battery is not enough is no way home, whoever asks.
+TEST(CheckContingencies, BelieveThatTheBatteryIsNotEnough) {
+  Case c;
+  c.rules.energy.reset();
+  EXPECT_TRUE(c.check().ok);
+  const auto said = check_contingencies(c.scene, "q1", c.stages, c.records, c.rules).detail;
+  EXPECT_NE(said.find("not checked"), std::string::npos);
+  c.records.front().latest_departure.reset();
+  EXPECT_EQ(c.check().reason, Reason::endurance);
+  Case early;
+  early.rules.energy.reset();
+  early.records.front().latest_departure = early.records.front().until - 0.5;
+  EXPECT_EQ(early.check().reason, Reason::endurance);
+}
+
 TEST(CheckContingencies, AcceptEveryRandomPlanAndRefuseItsMutants) {
   int mutants = 0;
   int refused = 0;

@@ -52,7 +52,7 @@ struct IntentVolumes {
   std::vector<Volume4d> off_nominal;
 };
 
-// The same, both lists apart; of what has no such lists, all are nominal.
+// Reads the two lists apart. If the file has no such lists, all its volumes are nominal.
 IntentVolumes read_intent_volumes(std::istream& in, std::string_view source);
 
 // The details of an operational intent: JSON, a volume a line. Numbers come back as they are.

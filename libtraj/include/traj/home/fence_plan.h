@@ -58,10 +58,10 @@ struct CompiledFences {
 // lose corners one by one as long as what a ring sweeps over is free of regions and boxes.
 CompiledFences compile_fences(const geom::CollisionScene& scene, const FenceTask& task);
 
-// Why fences do not do what compile_fences() says, in words; nothing: they do. Each region with its
-// room is within every inclusion and out of every exclusion (check_fences), and each tall box that
-// is not `open`, whole, is outside of an inclusion or inside of an exclusion. Nothing is sampled.
-// Throws InputError(source, …) as fence_on_map().
+// Says in words how fences break what compile_fences() promises; nothing if they keep it. Each
+// region with its room is within every inclusion and out of every exclusion (check_fences), and
+// each tall box that is not `open`, whole, is outside of an inclusion or inside of an exclusion.
+// Nothing is sampled. Throws InputError(source, …) as fence_on_map().
 std::optional<std::string> why_not_fenced(const geom::CollisionScene& scene, const FenceTask& task,
                                           std::span<const GeodeticFence> fences,
                                           std::span<const std::size_t> open,

@@ -38,7 +38,8 @@ HomeFlight read_home_flight(const geom::JsonFields& fields, const std::optional<
 // A stage for each leg, which lasts its length over `speed` (m/s, > 0), and one for each hold.
 std::vector<FlightStage> stages_of(const geom::PathRecord& path, double speed);
 
-// Those of the flier, which are as far off as it may be wrong about its place, too.
+// The models of the flier's autopilots. How wrong the vehicle may be about its place is part of
+// their `around`.
 std::vector<ReturnModel> return_models(const Flier& flier);
 
 // The margin that holds how far the models may be off, m.

@@ -89,8 +89,7 @@ ReturnModel return_model(const Autopilot& autopilot);
 // it, and down; from within 50 m at any height. Its firmware is not public: brakes with 3 m/s2.
 ReturnModel dji_return_model(double height);
 
-// Metres from an even speed, m/s, to rest: with its reaction, what it takes until it brakes, and
-// what is overshot.
+// The stopping distance, m, from a steady speed, m/s: the reaction, the braking and the overshoot.
 double braking_way(const ReturnModel& model, double speed);
 // Seconds by which a velocity is multiplied for its way to rest, `overshoot` left out, if no
 // velocity is larger than `fastest` m/s. Grows with it.
