@@ -40,11 +40,17 @@ Inputs inputs_of(const std::vector<std::string>& files) {
 void check_usage(const fly::Options& options, const Inputs& inputs, const cli::Sharding& sharding,
                  const std::string& report) {
   cli::at_most_one_stdin({inputs.map, inputs.trajectories});
-  if (options.tube && (options.runs == 0 || inputs.map.empty())) {
-    throw cli::UsageError("--clear-tube needs a map and --runs");
+  const bool tube = options.runs > 0 || options.proved_tube;
+  if (options.tube && (!tube || inputs.map.empty())) {
+    throw cli::UsageError("--clear-tube needs a map and --runs or --proved-tube");
   }
-  if (options.tune && (options.runs > 0 || !report.empty())) {
-    throw cli::UsageError("--tune writes gains: it takes neither --runs nor --report-file");
+  if (options.tune && (tube || !report.empty())) {
+    throw cli::UsageError(
+        "--tune writes gains: it takes neither --runs nor --proved-tube nor --report-file");
+  }
+  if (options.proved_tube && sharding.asked() && options.runs > 0) {
+    throw cli::UsageError(
+        "a shard of --runs proves nothing: give --proved-tube later, with --join");
   }
   if (options.runs > 0 && sharding.asked() && !report.empty()) {
     throw cli::UsageError(
@@ -149,6 +155,7 @@ traj::SimulationOptions simulation(const fly::Options& options,
   const traj::VehicleProfile profile = *vehicle.profile();
   traj::SimulationOptions out{profile, options.flight(profile)};
   if (options.runs > 0) out.spread = options.spread();
+  if (options.proved_tube) out.disturbances = options.disturbances(out.flight);
   out.tube = options.tube;
   out.log_period = options.log_period();
   out.clock = geom::thread_seconds;
@@ -183,6 +190,8 @@ int main(int argc, char** argv) {
     const Inputs inputs = inputs_of(files);
     check_usage(options, inputs, sharding, report);
     cli::only_for(app, options.tune, {"--cost"}, "--tune");
+    cli::only_for(app, options.proved_tube, {"--wind-spread", "--gust-most", "--gust-lag"},
+                  "--proved-tube");
     cli::only_for(app, !inputs.map.empty(), {"--metres"}, "flights over a map");
     if (vehicle.word.empty())
       throw cli::UsageError("no vehicle: give --vehicle, such as tello or FILE.json");

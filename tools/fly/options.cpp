@@ -100,8 +100,21 @@ void Options::add_to(CLI::App& app) {
   app.add_option("--seed", seed, "seed of gusts, noise and runs (default: 0)");
   app.add_option("--runs", runs, "fly this many times more, with wind and mass by chance")
       ->check(CLI::Range(1, 1000000));
+  app.add_flag("--proved-tube", proved_tube,
+               "prove how far the vehicle can stray, for the winds, gusts and masses that are "
+               "allowed (--controller geometric)");
+  app.add_option("--wind-spread", wind_spread,
+                 "with --proved-tube: the mean wind is within this of --wind, m/s (default: 0)")
+      ->check(CLI::Range(0.0, 50.0));
+  app.add_option("--gust-most", gust_most,
+                 "with --proved-tube: what gusts run towards is at most this, m/s (default: 0)")
+      ->check(CLI::Range(0.0, 50.0));
+  app.add_option("--gust-lag", gust_lag,
+                 "with --proved-tube: the time constant of gusts, s (default: 1)")
+      ->check(CLI::Range(0.01, 1000.0));
   app.add_flag("--clear-tube", tube,
-               "with --runs and a map: ask whether the map is clear with the tracking tube added");
+               "with a map and --runs or --proved-tube: ask whether the map is clear with the "
+               "tube added");
   app.add_flag("--tune", tune, "write gains found for these trajectories instead of a log");
   app.add_option("--cost", cost,
                  "what --tune makes small: mean, rms, p99, max, final, saturated, each with a "
@@ -173,6 +186,26 @@ traj::FlightCost Options::flight_cost() const {
     at = end + 1;
   }
   return out;
+}
+
+traj::Disturbances Options::disturbances(const traj::FlightOptions& flight) const {
+  const auto refuse = [](std::string_view what) {
+    throw cli::UsageError(fmt::format("--proved-tube: {}", what));
+  };
+  const traj::SensorSpec& s = flight.sensors;
+  if (flight.law != traj::ControlLaw::geometric) {
+    refuse("give --controller geometric; no tube of the cascade is proved yet");
+  }
+  if (std::max({s.position, s.velocity, s.attitude, s.rates, s.delay}) > 0) {
+    refuse("the proof knows exact sensors: leave out --noise and --delay");
+  }
+  if (flight.wind.gusts > 0) {
+    refuse("Dryden gusts (--gusts) have no bound: say --gust-most and --gust-lag");
+  }
+  if (flight.periods.attitude > 4) refuse("give a --loop-period of at most 0.004");
+  if (std::abs(mass_error) > 0.5) refuse("give a --mass-error of at most 0.5");
+  if (flight.gains.geometric.position.minCoeff() <= 0) refuse("the position gains must be above 0");
+  return {flight.wind.mean, wind_spread, gust_most, gust_lag, std::abs(mass_error)};
 }
 
 traj::MonteCarloOptions Options::spread() const { return {runs, std::abs(mass_error)}; }

@@ -9,6 +9,7 @@
 #include "cli/option/vehicle_option.h"
 #include "traj/flight/monte_carlo.h"
 #include "traj/flight/tune.h"
+#include "traj/tube/prove_tube.h"
 
 namespace fly {
 
@@ -28,6 +29,10 @@ struct Options {
   double log_rate = 100;
   std::uint64_t seed = 0;
   int runs = 0;
+  bool proved_tube = false;
+  double wind_spread = 0;
+  double gust_most = 0;
+  double gust_lag = 1;
   bool tube = false;
   bool tune = false;
   cli::MetresOption metres;
@@ -38,6 +43,8 @@ struct Options {
   traj::FlightOptions flight(const traj::VehicleProfile& profile) const;
   traj::FlightCost flight_cost() const;
   traj::MonteCarloOptions spread() const;
+  // What a tube is proved for. Throws cli::UsageError for flights that no proof speaks of.
+  traj::Disturbances disturbances(const traj::FlightOptions& flight) const;
   int log_period() const;  // ms
 };
 

@@ -72,6 +72,26 @@ JsonLine runs(const FlightReport& r, const geom::BoxMap* map) {
   return line;
 }
 
+// What the proof of a tube allows, and what it came to.
+JsonLine proved(const FlightReport& r, const geom::BoxMap* map) {
+  const Disturbances& d = *r.disturbances;
+  JsonLine line;
+  line.add("ok", !r.proved.trouble).add("wind", d.wind).add("wind_spread", d.wind_spread);
+  line.add("gust_most", d.gust_most).add("gust_lag", d.gust_lag).add("mass_error", d.mass_error);
+  line.add("damping", r.proved.damping).add("cells", r.proved.cells);
+  if (const auto& trouble = r.proved.trouble) {
+    line.add("reason", geom::word_of(kTubeTroubleWords, trouble->kind)).add("time", trouble->time);
+    if (trouble->motor) line.add("motor", trouble->motor).add("room", trouble->room);
+    return line;
+  }
+  line.add("period", kTubePeriod).add("largest", r.proved.largest);
+  if (r.proved_check) {
+    line.add("clear", r.proved_check->clear);
+    if (!r.proved_check->clear) add_violation(line, *r.proved_check, map);
+  }
+  return line.add("radius", r.proved.radius);
+}
+
 void add_energy(JsonLine& line, const FlightReport& r, const Airframe& airframe) {
   line.add("hover_seconds", r.hover_seconds);
   if (!airframe.endurance) return;
@@ -98,20 +118,23 @@ void add_flight(JsonLine& line, const FlightReport& r, const Airframe& airframe,
   if (r.check) line.add("clear", r.check->clear).add("between_steps", r.check->between);
   add_conditions(line, r.options);
   if (r.spread) line.add("monte_carlo", runs(r, map));
+  if (r.disturbances) line.add("proved_tube", proved(r, map));
 }
 
 }  // namespace
 
 bool accepted(const FlightReport& r) {
   return r.status == TrajectoryStatus::solved && !r.lost && (!r.check || r.check->clear) &&
-         r.tube.lost == 0 && (!r.tube_check || r.tube_check->clear);
+         r.tube.lost == 0 && (!r.tube_check || r.tube_check->clear) && !r.proved.trouble &&
+         (!r.proved_check || r.proved_check->clear);
 }
 
 std::string_view reason(const FlightReport& r) {
   if (r.status != TrajectoryStatus::solved) return name(r.status);
   if (r.lost) return "lost";
   if (r.check && !r.check->clear) return name(r.check->reason);
-  return r.tube.lost ? "lost_runs" : "tube";
+  if (r.tube.lost) return "lost_runs";
+  return r.proved.trouble ? "no_proof" : "tube";
 }
 
 std::string to_json_line(const FlightReport& r, const Airframe& airframe, const geom::BoxMap* map) {

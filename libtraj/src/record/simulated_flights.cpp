@@ -138,6 +138,16 @@ void SimulatedFlights::add_runs(const Entry& entry, std::span<const RunOutcome> 
   }
 }
 
+void SimulatedFlights::add_proof(const Entry& entry, const ReferenceTrack& track,
+                                 const geom::Execution& run, FlightReport& report) {
+  report.disturbances = options_.disturbances;
+  report.proved = prove_tube(track, options_.flight, *options_.disturbances, run);
+  if (options_.tube && !report.proved.trouble) {
+    report.proved_check =
+        check_tube(scene_for(entry), entry.record.trajectory, report.proved.radius, kTubePeriod);
+  }
+}
+
 std::vector<std::vector<RunOutcome>> SimulatedFlights::fly_runs(const geom::Shard& shard,
                                                                 const geom::Execution& run) const {
   std::vector<std::vector<RunOutcome>> out;
@@ -197,6 +207,9 @@ void SimulatedFlights::fly(const geom::Execution& run,
                          : traj::fly_runs(*track, options_.flight, *options_.spread, {},
                                           {run.threads, {}}),
                  out.report);
+      }
+      if (track && options_.disturbances) {
+        add_proof(entry, *track, {run.threads, {}}, out.report);
       }
       solved += track != nullptr;
       out.log = {entry.record.id, map_of(entry), std::move(block[i].flight.samples)};

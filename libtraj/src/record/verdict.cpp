@@ -236,6 +236,27 @@ std::string touch_in_words(const SampledReport& report, const geom::BoxMap& map)
   return fmt::format("{} at {}", fault_in_words(touch, map, held_of(report.provenance)), where);
 }
 
+// Why no tube is proved.
+std::string in_words(const TubeTrouble& trouble) {
+  switch (trouble.kind) {
+    case TubeTrouble::Kind::unstable:
+      return "with these gains the loop is not stable in hover";
+    case TubeTrouble::Kind::tilt:
+      return fmt::format("the vehicle may tip over at {:.4g} s", trouble.time);
+    case TubeTrouble::Kind::motor:
+      break;
+  }
+  return fmt::format("motor {} may saturate at {:.4g} s, by {:.2g} N", trouble.motor, trouble.time,
+                     -trouble.room);
+}
+
+std::string in_words_of_damping(double damping) {
+  return fmt::format(
+      "allow less wind, gusts or mass error, fly slower, or find gains of more damping (now "
+      "{:.2g})",
+      damping);
+}
+
 // Where a simulated flight, or the tube of its runs, is not clear.
 std::string flown_in_words(const FlightPathCheck& check, const FlightReport& report,
                            const geom::BoxMap& map) {
@@ -401,6 +422,14 @@ std::string in_words(const FlightReport& report, const geom::BoxMap* map) {
   if (report.tube_check && !report.tube_check->clear && map) {
     return fmt::format("within the tube of its runs, {}; {}",
                        flown_in_words(*report.tube_check, report, *map), slower);
+  }
+  if (const auto& trouble = report.proved.trouble) {
+    return fmt::format("no tube is proved: {}; {}", in_words(*trouble),
+                       in_words_of_damping(report.proved.damping));
+  }
+  if (report.proved_check && !report.proved_check->clear && map) {
+    return fmt::format("within the proved tube, {}; {}",
+                       flown_in_words(*report.proved_check, report, *map), slower);
   }
   return fmt::format("flown in {:.4g} s", report.duration);
 }

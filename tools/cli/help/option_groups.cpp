@@ -42,7 +42,8 @@ constexpr Group kGroups[] = {
     {"Vehicle and room",
      "--vehicle --margin=METRES --spare=METRES --memory=BYTES --navigation --tracking"},
     {"Limits",
-     "--override --require-clearance=METRES --sampled --drop-refused check--return --no-least-height"},  // and geom::kLimitKinds
+     "--override --require-clearance=METRES --sampled --drop-refused check--return "
+     "--no-least-height"},  // and geom::kLimitKinds
     {"Drone and place",
      "--takeoff-place --origin --geoid=METRES --ground=METRES --takeoff-height=METRES "
      "--heading=DEGREES "
@@ -69,7 +70,8 @@ constexpr Group kGroups[] = {
     {"Simulated flight",
      "--wind --gusts=METRES/S --noise --controller --gains=WORD|FILE --feed-forward "
      "--delay=SECONDS --hover-time=SECONDS --settle=SECONDS --loop-period=SECONDS "
-     "--mass-error=SHARE "
+     "--mass-error=SHARE --proved-tube --wind-spread=METRES/S --gust-most=METRES/S "
+     "--gust-lag=SECONDS "
      "--runs --tune --cost=WORDS"},
     {"Picture",
      "--view --camera --rate=HERTZ --at=SECONDS --image-size=WIDTHxHEIGHT --azimuth=DEGREES "

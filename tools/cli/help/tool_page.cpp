@@ -37,7 +37,8 @@ constexpr Page kPages[] = {
     {"skyway-fly",
      "skyway-import data/downtown.csv | skyway-fly - data/samples/trajectories.jsonl --vehicle "
      "quad2kg --wind 2,0,0 -o flight.csv",
-     "--output --report-file --clear-tube --vehicle --margin --wind --gusts --noise --controller "
+     "--output --report-file --proved-tube --clear-tube --vehicle --margin --wind --gusts --noise "
+     "--controller "
      "--gains "
      "--runs --tune --seed --threads"},
     {"skyway-footprints", "skyway-footprints data/samples/blocks.geojson -o blocks.boxmap",

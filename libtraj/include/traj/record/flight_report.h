@@ -17,6 +17,7 @@
 #include "traj/flight/flown_path.h"
 #include "traj/flight/monte_carlo.h"
 #include "traj/record/trajectory_status.h"
+#include "traj/tube/prove_tube.h"
 
 namespace traj {
 
@@ -34,6 +35,9 @@ struct FlightReport {
   std::optional<MonteCarloOptions> spread;  // where many were flown
   TrackingTube tube;
   std::optional<FlightPathCheck> tube_check;
+  std::optional<Disturbances> disturbances;  // where a tube was to be proved,
+  ProvedTube proved;
+  std::optional<FlightPathCheck> proved_check;  // and held against the map
   geom::Provenance provenance;
   geom::FlightTime time;
 };

@@ -31,9 +31,10 @@ namespace traj {
 struct SimulationOptions {
   VehicleProfile profile;  // of the vehicle that flies
   FlightOptions flight;
-  std::optional<MonteCarloOptions> spread;  // further runs, of which a tube is made
-  bool tube = false;                        // check that tube; only over a map
-  int log_period = 10;                      // ms between rows of the log, a multiple of 10
+  std::optional<MonteCarloOptions> spread;   // further runs, of which a tube is made
+  std::optional<Disturbances> disturbances;  // prove a tube for them
+  bool tube = false;                         // check these tubes; only over a map
+  int log_period = 10;                       // ms between rows of the log, a multiple of 10
   // Seconds, from whenever: of the CPU of the calling thread. Empty: not measured.
   std::function<double()> clock = {};
 };
@@ -93,6 +94,8 @@ class SimulatedFlights {
   Flown flown(const Entry& entry) const;
   FlightReport report_of(const Entry& entry, const ReferenceTrack* track, const Flight& flight);
   void add_runs(const Entry& entry, std::span<const RunOutcome> runs, FlightReport& report);
+  void add_proof(const Entry& entry, const ReferenceTrack& track, const geom::Execution& run,
+                 FlightReport& report);
   void judge(const Entry& entry, const Flight& flight, FlightReport& report);
 
   SimulationOptions options_;

@@ -1,0 +1,76 @@
+#pragma once
+
+// How far the simulated vehicle can stray from its trajectory: proved, for stated disturbances.
+//
+// Example:
+//   const auto quad = traj::vehicle_named("quad2kg");
+//   traj::FlightOptions options{.quadrotor = *traj::quadrotor_of(quad->airframe)};
+//   options.gains = *quad->airframe.gains;
+//   options.law = traj::ControlLaw::geometric;
+//   const traj::ProvedTube tube = traj::prove_tube(
+//       traj::ReferenceTrack(trajectory), options, {.wind_spread = 0.2, .gust_most = 0.5}, {});
+//   if (!tube.trouble) std::cout << "never further than " << tube.largest << " m\n";
+//
+// docs/tube.md states the model and derives the bounds.
+
+#include <optional>
+#include <vector>
+
+#include "geom/base/execution.h"
+#include "geom/text/words.h"
+#include "traj/flight/simulate.h"
+
+namespace traj {
+
+// What may act on the vehicle, and in what it may differ from what its controller believes.
+struct Disturbances {
+  Vec3 wind = Vec3::Zero();  // m/s, of the air: the middle of the mean winds
+  double wind_spread = 0;    // m/s, >= 0: the mean wind is within this of the middle, and constant
+  double gust_most =
+      0;  // m/s, >= 0: gusts g obey gust_lag g' = n - g, g = 0 at first, |n| <= gust_most
+  double gust_lag = 1;    // s, > 0
+  double mass_error = 0;  // the true mass is within this share of what is believed, [0, 0.5]
+};
+
+// Why nothing is proved.
+struct TubeTrouble {
+  enum class Kind { motor, tilt, unstable } kind = Kind::motor;
+  int motor = 0;    // 1 to 4: the command of this motor may leave its range,
+  double time = 0;  // s, from the trajectory's start: then,
+  double room = 0;  // N, <= 0: by as much as this
+};
+
+inline constexpr geom::Words<TubeTrouble::Kind, 3> kTubeTroubleWords{{
+    {TubeTrouble::Kind::motor, "motor"},
+    {TubeTrouble::Kind::tilt, "tilt"},
+    {TubeTrouble::Kind::unstable, "unstable"},
+}};
+
+struct ProvedTube {
+  std::vector<double> radius;  // m, in each kTubePeriod (as TrackingTube's); empty without a proof
+  double largest = 0;          // m
+  std::size_t cells = 0;       // parts of the winds and masses that were proved one by one
+  double damping = 1;          // the least damping ratio of the loop in hover
+  std::optional<TubeTrouble> trouble;
+};
+
+struct TubeOptions {
+  std::size_t most_cells = 64;  // >= 1: a proof that takes more is given up
+};
+
+// At every step of a millisecond, for all winds, gusts and masses that are allowed, the vehicle of
+// simulate() under the geometric controller is within the radius of the reference of that instant,
+// from the trajectory's start until the end of `options.settle`. It starts at rest, `options.hover`
+// before. `options.wind` and `options.mass_error` are not looked at.
+//
+// Preconditions: the geometric law, an attitude loop of at most 4 ms, no sensor noise or delay,
+// positive position gains. Disturbances and noise that the simulator draws from a normal
+// distribution have no bound, and no claim is made for them.
+//
+// Cost: some 0.1 s a second of flight and cell, on a thread each. The same for any number of
+// threads.
+ProvedTube prove_tube(const ReferenceTrack& track, const FlightOptions& options,
+                      const Disturbances& disturbances, const geom::Execution& run,
+                      const TubeOptions& tube = {});
+
+}  // namespace traj

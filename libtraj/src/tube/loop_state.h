@@ -1,0 +1,77 @@
+#pragma once
+
+// The state of vehicle, controller and wind when the attitude loop runs, in numbers or in bounds.
+
+#include "geom/base/vec3.h"
+#include "tube/taylor_model.h"
+
+namespace traj {
+
+// Three of a scalar that is a double or a TaylorModel.
+template <class S>
+struct Triple {
+  S x{}, y{}, z{};
+};
+
+template <class S, class T>
+using Wider = decltype(S() + T());
+
+template <class S, class T>
+Triple<Wider<S, T>> operator+(const Triple<S>& a, const Triple<T>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class S, class T>
+Triple<Wider<S, T>> operator-(const Triple<S>& a, const Triple<T>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class S, class T>
+Triple<Wider<S, T>> operator*(const S& k, const Triple<T>& a) {
+  return {k * a.x, k * a.y, k * a.z};
+}
+template <class S, class T>
+Wider<S, T> dot(const Triple<S>& a, const Triple<T>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class S, class T>
+Triple<Wider<S, T>> cross(const Triple<S>& a, const Triple<T>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+template <class S, class T>
+Triple<Wider<S, T>> scaled(const Triple<S>& a, const Triple<T>& b) {  // axis by axis
+  return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
+inline Triple<double> triple(const geom::Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+// The state when the attitude loop runs, in coordinates in which the closed loop is nearly linear:
+// `lift` is what the controller asks for then. The wanted frame has its z axis along the lift and
+// the reference's heading, as attitude_along() says; what belongs to the body is seen from there.
+template <class S>
+struct LoopState {
+  Triple<S> lift;      // m/s2: kp (p_r - p) + kv (v_r - v) + a_r + g
+  Triple<S> velocity;  // m/s
+  Triple<S> lag;       // m/s2, in the wanted frame: lift - thrust / believed mass
+  S heading{};         // rad, in the wanted frame: of the body's x axis
+  Triple<S> rates;     // rad/s, about the body's axes
+  Triple<S> spin;      // rad/s2: the motors' torque over inertia
+  Triple<S> filtered;  // rad/s2: the controller's low-passed angular acceleration
+  Triple<S> turned;    // rad/s: rates minus those that it saw last
+  Triple<S> gust;      // m/s
+  Triple<S> wind;      // m/s: the mean wind, which does not change
+  S lightness{};       // believed mass over true mass, which does not change
+};
+inline constexpr int kLoopStates = 29;
+
+template <class S, class F>
+void for_each(LoopState<S>& s, const F& f) {
+  int k = 0;
+  const auto three = [&](Triple<S>& t) {
+    f(k, t.x), f(k + 1, t.y), f(k + 2, t.z);
+    k += 3;
+  };
+  three(s.lift), three(s.velocity), three(s.lag);
+  f(k++, s.heading);
+  three(s.rates), three(s.spin), three(s.filtered), three(s.turned), three(s.gust), three(s.wind);
+  f(k, s.lightness);
+}
+
+}  // namespace traj

@@ -1,0 +1,59 @@
+#pragma once
+
+// The closed loop of vehicle and geometric controller, from one run of the attitude loop to the
+// next.
+//
+// docs/tube.md derives the equations; a test compares them with traj::simulate().
+
+#include <array>
+#include <vector>
+
+#include "traj/flight/gains.h"
+#include "traj/flight/reference.h"
+#include "tube/loop_state.h"
+
+namespace traj {
+
+inline constexpr int kLongestPeriod = 4;  // ms, of the attitude loop
+inline constexpr int kNamedErrors = 3 * kLongestPeriod;
+static_assert(kLoopStates + kNamedErrors <= TaylorModel::kSymbols);
+
+// The vehicle and its controller, as numbers.
+struct Loop {
+  Quadrotor model;
+  GeometricGains gains;
+  int period = kLongestPeriod;  // ms, of the attitude loop, at most kLongestPeriod
+  double gust_lag = 1;          // s, > 0
+  double gust_most = 0;         // m/s: bounds the length of what the gusts run towards
+};
+
+// The references at the start of a period and at its end.
+struct LoopReferences {
+  Reference now;
+  Reference next;
+};
+
+// The state a period later, and of each millisecond until then what motors are told (N), as if no
+// command were clipped, and how far the vehicle has moved (m). Remainders are infinite where a
+// thrust or a lift may point sideways.
+template <class S>
+struct LoopStep {
+  LoopState<S> state;
+  std::vector<std::array<S, 4>> commands;
+  std::vector<Triple<S>> moved;  // after 1, 2, ... ms
+};
+
+// Second-order terms of the torques become symbols, from kLoopStates on, three a millisecond.
+template <class S>
+LoopStep<S> loop_step(const Loop& loop, const LoopState<S>& state,
+                      const LoopReferences& references);
+
+// The state of a vehicle at rest on its first reference, thrust holding its true weight.
+LoopState<TaylorModel> resting(const Loop& loop, const Reference& first,
+                               const TaylorModel& lightness);
+
+// The share of a gust that is left after so many milliseconds. What came meanwhile is at most the
+// rest times gust_most.
+double gust_kept(const Loop& loop, int milliseconds);
+
+}  // namespace traj

@@ -1,0 +1,247 @@
+#include "tube/prove_cell.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "geom/vehicle/limits.h"
+#include "traj/flight/monte_carlo.h"
+#include "tube/error_set.h"
+
+namespace traj {
+namespace {
+
+// Rows of the state.
+constexpr int kVelocity = 3;
+constexpr int kGust = 22;
+constexpr int kWind = 25;
+constexpr int kLightness = 28;
+
+constexpr double kLeastScale =
+    1e-9;  // of a symbol, so that slopes are known of what does not vary yet
+// In each coordinate and period, in its unit: what the simulator's steps and numbers may differ by
+// from the equations here (docs/tube.md).
+constexpr double kSlack = 1e-9;
+
+class CellProof {
+ public:
+  CellProof(const ReferenceTrack& track, const FlightOptions& options, const Disturbances& d,
+            const TubeCell& cell)
+      : track_(track),
+        loop_{options.quadrotor, options.gains.geometric, options.periods.attitude, d.gust_lag,
+              d.gust_most},
+        before_(std::lround(options.hover / kStep)),
+        steps_(std::lround((track.duration() + options.settle) / kStep)),
+        now_(reference(-before_)),
+        errors_(start(cell)) {
+    out_.radius.assign(tube_periods(track.duration()), 0);
+    place_.setZero();
+    for (int i = 0; i < 3; ++i) {
+      place_(i, i) = -1 / loop_.gains.position[i];
+      place_(i, kVelocity + i) = -loop_.gains.velocity[i] / loop_.gains.position[i];
+      added_.gust(kGust + i, i) = (1 - gust_kept(loop_, loop_.period)) * d.gust_most;
+    }
+    mix_ = mixing();
+  }
+
+  CellTube prove() {
+    for (long n = -before_; n <= steps_ && !out_.trouble; n += loop_.period) advance(n);
+    return std::move(out_);
+  }
+
+ private:
+  Reference reference(long n) { return track_.at(static_cast<double>(n) * kStep, cursor_); }
+
+  // At rest on the first reference, in the middle of the cell; also notes that state.
+  ErrorSet start(const TubeCell& cell) {
+    const double light = 1 / cell.mass_least;
+    const double heavy = 1 / cell.mass_most;
+    const TaylorModel lightness =
+        TaylorModel::symbol(0.5 * (light + heavy), kLightness, 0.5 * (light - heavy));
+    LoopState<TaylorModel> state = resting(loop_, now_, lightness);
+    ErrorTerms held;
+    ErrorVector mass = ErrorVector::Zero();
+    ErrorVector box = ErrorVector::Zero();
+    middle_.setZero();
+    for_each(state, [&](int i, const TaylorModel& m) {
+      middle_[i] = m.c;
+      mass[i] = m.l[kLightness] * (1 + 1e-14);
+      box[i] = m.r;
+    });
+    ErrorColumns wind = ErrorColumns::Zero(kErrorRows, 3);
+    for (int i = 0; i < 3; ++i) {
+      middle_[kWind + i] = cell.wind[i];
+      wind(kWind + i, i) = cell.wind_radius > 0 ? cell.wind_radius : cell.wind_half[i];
+    }
+    (cell.wind_radius > 0 ? held.balls : held.intervals) = wind;
+    held.intervals.conservativeResize(Eigen::NoChange, held.intervals.cols() + 1);
+    held.intervals.rightCols<1>() = mass;
+    return ErrorSet(std::move(held), box);
+  }
+
+  // Symbols are the coordinates of the state, but for the gust. In its place stands the
+  // acceleration that lift and drag give together: they nearly balance, so its bound is far below
+  // theirs.
+  ErrorMatrix mixing() const {
+    ErrorMatrix out = ErrorMatrix::Identity();
+    if (drag() == 0) return out;
+    for (int i = 0; i < 3; ++i) {
+      out(kGust + i, i) = 1;
+      out(kGust + i, kVelocity + i) = -drag();
+      out(kGust + i, kGust + i) = drag();
+      out(kGust + i, kWind + i) = drag();
+    }
+    return out;
+  }
+
+  double drag() const { return loop_.model.drag.x() / loop_.model.mass; }  // 1/s
+
+  LoopState<TaylorModel> state_in_symbols() {
+    scale_ = errors_.bounds().cwiseMax(kLeastScale);
+    LoopState<TaylorModel> state;
+    for_each(state,
+             [&](int i, TaylorModel& m) { m = TaylorModel::symbol(middle_[i], i, scale_[i]); });
+    if (drag() == 0) return state;
+    const auto gust = [&](int i, const TaylorModel& lift, const TaylorModel& velocity,
+                          const TaylorModel& wind) {
+      const int row = kGust + i;
+      scale_[row] = std::max(errors_.bound(mix_.row(row).transpose()), kLeastScale);
+      const TaylorModel acceleration = TaylorModel::symbol(0, row, scale_[row]);
+      return middle_[row] + (1 / drag()) * (acceleration - (lift - middle_[i])) +
+             (velocity - middle_[kVelocity + i]) - (wind - middle_[kWind + i]);
+    };
+    state.gust = {gust(0, state.lift.x, state.velocity.x, state.wind.x),
+                  gust(1, state.lift.y, state.velocity.y, state.wind.y),
+                  gust(2, state.lift.z, state.velocity.z, state.wind.z)};
+    return state;
+  }
+
+  // A model's slopes by the coordinates of the state.
+  ErrorVector slopes(const TaylorModel& m) const {
+    ErrorVector by_symbol = ErrorVector::Zero();
+    by_symbol.head<kLoopStates>() =
+        (m.l.head<kLoopStates>() / scale_.head<kLoopStates>().array()).matrix();
+    return mix_.transpose() * by_symbol;
+  }
+
+  static double named(const TaylorModel& m) {
+    return m.l.tail<TaylorModel::kSymbols - kLoopStates>().abs().sum();
+  }
+
+  // Notes the first motor whose command may leave its range.
+  void look_for_saturation(long n, const LoopStep<TaylorModel>& step) {
+    const Quadrotor& q = loop_.model;
+    for (std::size_t j = 0; j < step.commands.size() && !out_.trouble; ++j) {
+      for (int i = 0; i < 4; ++i) {
+        const TaylorModel& m = step.commands[j][i];
+        const auto room = [&](double radius) {
+          return std::min(q.motor_most - m.c, m.c - q.motor_least) - radius;
+        };
+        if (room(m.radius()) > 0) continue;
+        const double left = room(errors_.bound(slopes(m)) + named(m) + m.r + kSlack);
+        if (left > 0) continue;
+        const bool upright = std::isfinite(left);
+        out_.trouble = TubeTrouble{
+            upright ? TubeTrouble::Kind::motor : TubeTrouble::Kind::tilt, upright ? i + 1 : 0,
+            static_cast<double>(n + static_cast<long>(j)) * kStep, upright ? left : 0};
+        return;
+      }
+    }
+  }
+
+  // Position minus reference in the middle: lift = kp (p_r - p) + kv (v_r - v) + a_r + g.
+  Vec3 offset() const {
+    const Vec3 velocity = middle_.segment<3>(kVelocity);
+    const Vec3 asked = Vec3(middle_.head<3>()) - now_.acceleration - geom::kGravity * Vec3::UnitZ();
+    const Vec3 damped = loop_.gains.velocity.cwiseProduct(now_.velocity - velocity);
+    return -(asked - damped).cwiseQuotient(loop_.gains.position);
+  }
+
+  // From the start of this period to that of the next.
+  double radius(long n, const LoopStep<TaylorModel>& step) {
+    const double here = offset().norm() + errors_.reach(place_);
+    double further = 0;
+    for (std::size_t j = 0; j < step.moved.size(); ++j) {
+      const Vec3 wanted = reference(n + static_cast<long>(j) + 1).position - now_.position;
+      const Triple<TaylorModel>& m = step.moved[j];
+      const Vec3 moved(std::abs(m.x.c - wanted.x()) + m.x.radius(),
+                       std::abs(m.y.c - wanted.y()) + m.y.radius(),
+                       std::abs(m.z.c - wanted.z()) + m.z.radius());
+      further = std::max(further, moved.norm());
+    }
+    return here + further + kSlack;
+  }
+
+  void note_radius(long n, double radius) {
+    const auto period = [&](long step) {
+      const auto k = static_cast<std::size_t>(static_cast<double>(step) * kStep / kTubePeriod);
+      return std::min(k, out_.radius.size() - 1);
+    };
+    for (std::size_t k = period(n); k <= period(n + loop_.period); ++k) {
+      out_.radius[k] = std::max(out_.radius[k], radius);
+    }
+  }
+
+  void advance(long n) {
+    const LoopState<TaylorModel> state = state_in_symbols();
+    const Reference next = reference(n + loop_.period);
+    LoopStep<TaylorModel> step = loop_step(loop_, state, {now_, next});
+    look_for_saturation(n, step);
+    if (out_.trouble) return;
+    if (n >= 0) note_radius(n, radius(n, step));
+    ErrorMatrix map = ErrorMatrix::Zero();
+    added_.box.setZero();
+    for_each(step.state, [&](int i, const TaylorModel& m) {
+      if (i >= kWind) {
+        map(i, i) = 1;
+        return;
+      }
+      middle_[i] = m.c;
+      map.row(i) = slopes(m).transpose();
+      for (int k = 0; k < kNamedErrors; ++k) added_.named(i, k) = m.l[kLoopStates + k];
+      added_.box[i] = m.r + kSlack + 1e-12 * m.swing();
+    });
+    if (n == -before_ && !settles(map)) {
+      out_.trouble = TubeTrouble{TubeTrouble::Kind::unstable, 0, static_cast<double>(n) * kStep, 0};
+    }
+    errors_.advance(map, added_);
+    now_ = next;
+  }
+
+  // Whether the loop in hover dies away; notes its damping.
+  bool settles(const ErrorMatrix& map) {
+    const Eigen::MatrixXd loop = map.topLeftCorner<kGust, kGust>();
+    const Eigen::VectorXcd modes = loop.eigenvalues();
+    for (Eigen::Index k = 0; k < modes.size(); ++k) {
+      if (!(std::abs(modes[k]) < 1)) return false;
+      if (std::abs(modes[k]) < 1e-6) continue;
+      const std::complex<double> rate = std::log(modes[k]);
+      out_.damping = std::min(out_.damping, -rate.real() / std::abs(rate));
+    }
+    return true;
+  }
+
+  const ReferenceTrack& track_;
+  Loop loop_;
+  long before_;  // steps before the start,
+  long steps_;   // and from there to the very end
+  std::size_t cursor_ = 0;
+  Reference now_;
+  ErrorVector middle_;
+  ErrorSet errors_;
+  PeriodErrors added_;
+  ErrorVector scale_ = ErrorVector::Ones();
+  ErrorMatrix mix_;
+  Eigen::Matrix<double, 3, kErrorRows> place_;
+  CellTube out_;
+};
+
+}  // namespace
+
+CellTube prove_cell(const ReferenceTrack& track, const FlightOptions& options,
+                    const Disturbances& disturbances, const TubeCell& cell) {
+  return CellProof(track, options, disturbances, cell).prove();
+}
+
+}  // namespace traj

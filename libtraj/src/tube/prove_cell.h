@@ -1,0 +1,30 @@
+#pragma once
+
+// The tube of one cell of disturbances: one nominal flight, and bounds on what differs from it.
+
+#include <optional>
+#include <vector>
+
+#include "traj/tube/prove_tube.h"
+
+namespace traj {
+
+// Mean winds and masses that are proved together.
+struct TubeCell {
+  Vec3 wind = Vec3::Zero();       // m/s: the middle
+  double wind_radius = 0;         // m/s: the winds are in a ball of this radius,
+  Vec3 wind_half = Vec3::Zero();  // or, where that is 0, in a box of these half sizes
+  double mass_least = 1;          // true mass over what is believed
+  double mass_most = 1;
+};
+
+struct CellTube {
+  std::vector<double> radius;          // m, of each kTubePeriod
+  double damping = 1;                  // the least damping ratio of the loop in hover
+  std::optional<TubeTrouble> trouble;  // then the rest is not complete
+};
+
+CellTube prove_cell(const ReferenceTrack& track, const FlightOptions& options,
+                    const Disturbances& disturbances, const TubeCell& cell);
+
+}  // namespace traj
