@@ -46,6 +46,13 @@ void add(ProvedTube& tube, const CellTube& cell) {
   ++tube.cells;
 }
 
+// The middle alone: if its gusts are too much, no smaller cells help.
+TubeCell middle_of(TubeCell cell) {
+  cell.wind_radius = 0;
+  cell.mass_least = cell.mass_most = 0.5 * (cell.mass_least + cell.mass_most);
+  return cell;
+}
+
 }  // namespace
 
 ProvedTube prove_tube(const ReferenceTrack& track, const FlightOptions& options,
@@ -54,6 +61,7 @@ ProvedTube prove_tube(const ReferenceTrack& track, const FlightOptions& options,
          options.periods.attitude <= 4);
   ProvedTube out;
   std::vector<TubeCell> cells = {whole(d)};
+  bool first = true;
   while (!cells.empty()) {
     std::vector<CellTube> proved(cells.size());
     geom::parallel_for(cells.size(), run,
@@ -73,6 +81,11 @@ ProvedTube prove_tube(const ReferenceTrack& track, const FlightOptions& options,
         divisible = false;
       }
     }
+    if (trouble && first && divisible) {
+      const CellTube middle = prove_cell(track, options, d, middle_of(cells.front()));
+      if (middle.trouble) trouble = middle.trouble, divisible = false;
+    }
+    first = false;
     if (trouble && (!divisible || out.cells + next.size() > tube.most_cells)) {
       out.trouble = trouble;
       out.damping = std::min(out.damping, proved.front().damping);

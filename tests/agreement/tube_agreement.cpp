@@ -1,0 +1,182 @@
+// tube_agreement CASES FLIGHTS [SEED] [TRAJECTORIES.jsonl]: proves tubes of CASES random flights
+// (vehicle, trajectory, winds, gusts, masses), or of the file's trajectories with random
+// disturbances of quad2kg, and flies each FLIGHTS times under disturbances that are allowed: by
+// chance, from one end to the other, and fitted to the vehicle's response. Exit 1 if a flight
+// leaves its tube or saturates a motor. Also says how near to the tube's edge the flights came: 1
+// over that bounds how far too wide the tube is.
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <string>
+
+#include "geom/base/parallel.h"
+#include "geom/base/percentile.h"
+#include "geom/base/thread_seconds.h"
+#include "geom/text/json_fields.h"
+#include "traj/disturbed_flight.h"
+#include "traj/flight/vehicle_profile.h"
+#include "traj/record/trajectory_record.h"
+
+namespace {
+
+using support::Random;
+using traj::Vec3;
+
+struct Case {
+  std::string vehicle;
+  traj::Trajectory trajectory;
+  traj::FlightOptions options = {};
+  traj::Disturbances disturbances = {};
+};
+
+struct Outcome {
+  std::string none;     // why no tube is proved
+  double largest = 0;   // m
+  double duration = 0;  // s
+  double seconds = 0;   // of CPU
+  std::size_t cells = 0;
+  double share[3] = {0, 0, 0};  // of the radius that flights of each kind came to
+  bool saturated = false;
+};
+
+// A hop over one or two bends.
+traj::Trajectory hop(Random& random, double speed) {
+  const auto somewhere = [&] {
+    return Vec3(random.uniform(-6, 6), random.uniform(-6, 6), random.uniform(-2, 2));
+  };
+  traj::Trajectory out;
+  traj::State from;
+  for (int left = 1 + random.below(2); left >= 0; --left) {
+    traj::State to;
+    to.position = somewhere();
+    if (left > 0) to.velocity = 0.4 * speed * traj::testing::direction(random);
+    const double far = (to.position - from.position).norm();
+    out.segments.push_back(traj::hermite(from, to, std::max(1.0, 2.2 * far / speed)));
+    from = to;
+  }
+  return out;
+}
+
+traj::FlightOptions options_of(const std::string& vehicle) {
+  const auto profile = traj::vehicle_named(vehicle);
+  traj::FlightOptions out{.quadrotor = *traj::quadrotor_of(profile->airframe)};
+  out.gains = *profile->airframe.gains;
+  out.law = traj::ControlLaw::geometric;
+  return out;
+}
+
+Case random_case(std::uint64_t seed) {
+  Random random(seed);
+  Case c;
+  c.vehicle = seed % 3 == 0 ? "crazyflie" : seed % 3 == 1 ? "quad2kg" : "tello";
+  const bool large = c.vehicle == "quad2kg";
+  c.trajectory = hop(random, large ? random.uniform(2, 8) : random.uniform(0.5, 2));
+  c.options = options_of(c.vehicle);
+  c.options.hover = 1;
+  c.options.settle = 0.5;
+  const double scale = c.vehicle == "tello" ? 0.05 : 1;
+  traj::Disturbances& d = c.disturbances;
+  d.wind = random.uniform(0, large ? 4 : 1) * scale * traj::testing::direction(random);
+  d.wind_spread = random.uniform(0, 0.4) * scale;
+  d.gust_most = random.uniform(0, large ? 1.4 : 0.7) * scale;
+  d.gust_lag = random.uniform(0.3, 3);
+  d.mass_error = random.uniform(0, 0.01) * scale;
+  return c;
+}
+
+std::vector<Case> cases_of(const std::string& file, int count, std::uint64_t seed) {
+  std::vector<Case> out;
+  if (file.empty()) {
+    for (int i = 0; i < count; ++i) out.push_back(random_case(seed * 1000003 + i));
+    return out;
+  }
+  std::ifstream in(file);
+  std::size_t number = 0;
+  for (std::string line; std::getline(in, line);) {
+    const auto record = traj::read_trajectory_record(geom::JsonFields(line, file, ++number));
+    if (record.status != traj::TrajectoryStatus::solved) continue;
+    if (static_cast<int>(out.size()) == count) break;
+    Random random(seed * 1000003 + out.size());
+    Case c{"quad2kg", record.trajectory, options_of("quad2kg")};
+    c.disturbances = {.wind = random.uniform(0, 4) * traj::testing::direction(random),
+                      .wind_spread = 0.3,
+                      .gust_most = 1,
+                      .mass_error = 0.01};
+    out.push_back(std::move(c));
+  }
+  return out;
+}
+
+Outcome outcome(const Case& c, int flights, std::uint64_t seed) {
+  const traj::ReferenceTrack track(c.trajectory);
+  Outcome out;
+  out.duration = track.duration() + c.options.hover + c.options.settle;
+  const double begin = geom::thread_seconds();
+  const auto tube = traj::prove_tube(track, c.options, c.disturbances, {.threads = 1});
+  out.seconds = geom::thread_seconds() - begin;
+  if (tube.trouble) {
+    out.none =
+        fmt::format("{} (damping {})", geom::word_of(traj::kTubeTroubleWords, tube.trouble->kind),
+                    tube.damping < 0.1 ? "below 0.1" : "0.1 or more");
+    return out;
+  }
+  out.largest = tube.largest;
+  out.cells = tube.cells;
+  Random random(seed);
+  for (int k = 0; k < flights; ++k) {
+    const auto fate =
+        traj::testing::drawn_fate(random, c.options, c.disturbances, track.duration(), k % 3);
+    const auto flown = traj::testing::fly(track, c.options, c.disturbances, fate);
+    out.saturated |= flown.saturated;
+    double& share = out.share[k % 3];
+    share = std::max(share, traj::testing::worst_share(tube, flown));
+  }
+  return out;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int count = argc > 1 ? std::atoi(argv[1]) : 100;
+  const int flights = argc > 2 ? std::atoi(argv[2]) : 30;
+  const std::uint64_t seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
+  const std::vector<Case> cases = cases_of(argc > 4 ? argv[4] : "", count, seed);
+  std::vector<Outcome> outcomes(cases.size());
+  geom::parallel_for(cases.size(), {}, [&](std::size_t i) {
+    outcomes[i] = outcome(cases[i], flights, seed * 7919 + i);
+  });
+  std::map<std::string, std::vector<double>> ratios;
+  std::map<std::string, std::map<std::string, int>> none;
+  int outside = 0;
+  double cpu = 0, flown = 0;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const Outcome& o = outcomes[i];
+    cpu += o.seconds, flown += o.duration;
+    if (!o.none.empty()) {
+      ++none[cases[i].vehicle][o.none];
+      continue;
+    }
+    const double share = std::max({o.share[0], o.share[1], o.share[2]});
+    if (share > 1 || o.saturated) {
+      ++outside;
+      fmt::print("case {}: {} leaves its tube: {:.6f} of the radius{}\n", i, cases[i].vehicle,
+                 share, o.saturated ? ", a motor saturated" : "");
+    }
+    if (share > 0) ratios[cases[i].vehicle].push_back(1 / share);
+  }
+  for (auto& [vehicle, values] : ratios) {
+    fmt::print("{}: {} tubes, proved over worst flown: median {:.3f}, most {:.3f}\n", vehicle,
+               values.size(), geom::percentile(values, 0.5), geom::percentile(values, 1));
+  }
+  for (const auto& [vehicle, reasons] : none) {
+    for (const auto& [reason, number] : reasons) {
+      fmt::print("{}: {} without a proof: {}\n", vehicle, number, reason);
+    }
+  }
+  fmt::print("{} flights of each, {} cases outside; {:.3f} s of CPU a second of flight\n", flights,
+             outside, cpu / flown);
+  return outside ? 1 : 0;
+}

@@ -1,0 +1,95 @@
+#include "traj/tube/prove_tube.h"
+
+#include <gtest/gtest.h>
+
+#include "traj/disturbed_flight.h"
+#include "traj/flight/vehicle_profile.h"
+#include "traj/flights.h"
+
+namespace traj {
+namespace {
+
+FlightOptions flight_of(std::string_view vehicle) {
+  const auto profile = vehicle_named(vehicle);
+  FlightOptions options{.quadrotor = *quadrotor_of(profile->airframe)};
+  options.gains = *profile->airframe.gains;
+  options.law = ControlLaw::geometric;
+  options.hover = 0.6;
+  options.settle = 0.4;
+  return options;
+}
+
+void expect_inside(std::string_view vehicle, const Trajectory& trajectory, const Disturbances& d) {
+  const FlightOptions options = flight_of(vehicle);
+  const ReferenceTrack track(trajectory);
+  const ProvedTube tube = prove_tube(track, options, d, {});
+  ASSERT_FALSE(tube.trouble) << vehicle;
+  support::Random random(3);
+  double worst = 0;
+  for (int k = 0; k < 24; ++k) {
+    const auto fate = testing::drawn_fate(random, options, d, track.duration(), k % 3);
+    const auto flight = testing::fly(track, options, d, fate);
+    EXPECT_FALSE(flight.saturated);
+    worst = std::max(worst, testing::worst_share(tube, flight));
+  }
+  EXPECT_LE(worst, 1) << vehicle;
+  EXPECT_GT(worst, 0.5) << vehicle << ": a tube that is far too wide";
+}
+
+TEST(ProveTube, HoldsFlightsThatArePushedAsFarAsTheyCan) {
+  expect_inside("quad2kg", testing::line({6, 3, 2}, 4),
+                {.wind = {1, -1, 0}, .wind_spread = 0.2, .gust_most = 0.7, .mass_error = 0.01});
+  expect_inside("crazyflie", testing::line({1, 1, 0.5}, 4),
+                {.wind_spread = 0.05, .gust_most = 0.3, .gust_lag = 0.5, .mass_error = 0.005});
+  expect_inside("tello", testing::line({1, 1, 0.5}, 4), {.mass_error = 1e-4});
+}
+
+// Without disturbances it is the nominal flight's own error.
+TEST(ProveTube, IsTightWhereNothingIsUnknown) {
+  const FlightOptions options = flight_of("quad2kg");
+  const ReferenceTrack track(testing::line({6, 3, 2}, 4));
+  const ProvedTube tube = prove_tube(track, options, {}, {});
+  ASSERT_FALSE(tube.trouble);
+  const Flight flight = simulate(track, options, {});
+  EXPECT_NEAR(tube.largest, *std::max_element(flight.error.begin(), flight.error.end()), 3e-4);
+  EXPECT_EQ(tube.cells, 1u);
+}
+
+TEST(ProveTube, SaysWhyThereIsNone) {
+  const ReferenceTrack track(testing::line({6, 3, 2}, 4));
+  const ProvedTube gusty = prove_tube(track, flight_of("quad2kg"), {.gust_most = 8}, {});
+  ASSERT_TRUE(gusty.trouble);
+  EXPECT_TRUE(gusty.radius.empty());
+  const ProvedTube lively = prove_tube(track, flight_of("tello"), {.gust_most = 0.3}, {});
+  ASSERT_TRUE(lively.trouble);
+  EXPECT_LT(lively.damping, 0.1) << "Tello's tuned gains hardly damp";
+  FlightOptions wild = flight_of("quad2kg");
+  wild.gains.geometric.rates *= -1;
+  const ProvedTube unstable = prove_tube(track, wild, {.gust_most = 0.1}, {});
+  ASSERT_TRUE(unstable.trouble);
+  EXPECT_EQ(unstable.trouble->kind, TubeTrouble::Kind::unstable);
+  FlightOptions weak = flight_of("quad2kg");
+  weak.quadrotor.motor_most = 5;
+  const ProvedTube saturated =
+      prove_tube(ReferenceTrack(testing::line({0, 0, 9}, 2)), weak, {}, {});
+  ASSERT_TRUE(saturated.trouble);
+  EXPECT_EQ(saturated.trouble->kind, TubeTrouble::Kind::motor);
+  EXPECT_LE(saturated.trouble->room, 0);
+}
+
+TEST(ProveTube, ProvesCellsOneByOneAndTheSameOnAnyThreads) {
+  FlightOptions options = flight_of("quad2kg");
+  options.hover = options.settle = 0.1;
+  const ReferenceTrack track(testing::line({0.5, 0.2, 0}, 1.5));
+  const Disturbances d{.wind_spread = 0.8, .gust_most = 0.8, .mass_error = 0.02};
+  const ProvedTube one = prove_tube(track, options, d, {.threads = 1});
+  const ProvedTube three = prove_tube(track, options, d, {.threads = 3});
+  ASSERT_FALSE(one.trouble);
+  EXPECT_GT(one.cells, 1u);
+  EXPECT_EQ(one.radius, three.radius);
+  const ProvedTube none = prove_tube(track, options, d, {}, {.most_cells = 1});
+  EXPECT_TRUE(none.trouble);
+}
+
+}  // namespace
+}  // namespace traj
