@@ -289,7 +289,8 @@ int main(int argc, char** argv) {
     if (options.contingencies.asked()) {
       return options.contingencies.check({common, file, scenes, options.drone_file.autopilot,
                                           options.limits.limits()[traj::Limit::speed],
-                                          options.metres, sharding, options.report});
+                                          options.metres, sharding, options.report, options.exact,
+                                          options.certificate});
     }
     return check_records(options, file, scenes, sharding, common);
   });

@@ -70,6 +70,38 @@ std::vector<Vec2> plan_hull(std::vector<Vec2> points) {
   return hull;
 }
 
+namespace {
+
+// Ways of edges counterclockwise, from straight down on: a convex plan begins at its corner
+// furthest to the left.
+bool turns_before(const Vec2& a, const Vec2& b) {
+  const auto goes_left = [](const Vec2& way) {
+    return way.x() < 0 || (way.x() == 0 && way.y() < 0);
+  };
+  if (goes_left(a) != goes_left(b)) return goes_left(b);
+  return cross(a, b) > 0;
+}
+
+}  // namespace
+
+// Edges of both, in the order of their ways, are those of the sum.
+std::vector<Vec2> plan_sum(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
+  const std::size_t edges_of_a = a.size() > 1 ? a.size() : 0;
+  const std::size_t edges_of_b = b.size() > 1 ? b.size() : 0;
+  const auto edge = [](const std::vector<Vec2>& plan, std::size_t i) -> Vec2 {
+    return plan[(i + 1) % plan.size()] - plan[i % plan.size()];
+  };
+  std::vector<Vec2> out = {a.front() + b.front()};
+  for (std::size_t i = 0, k = 0; i < edges_of_a || k < edges_of_b;) {
+    const bool of_a = k == edges_of_b || (i < edges_of_a && !turns_before(edge(b, k), edge(a, i)));
+    const bool of_b = i == edges_of_a || (k < edges_of_b && !turns_before(edge(a, i), edge(b, k)));
+    i += of_a;
+    k += of_b;
+    out.push_back(a[i % a.size()] + b[k % b.size()]);
+  }
+  return plan_hull(std::move(out));
+}
+
 Prism prism_around(std::span<const Vec3> points) {
   Prism out{{}, points.front().z(), points.front().z()};
   for (const Vec3& p : points) {

@@ -196,6 +196,29 @@ TEST(PrismAround, HoldsItsPointsAndNoMore) {
 }
 
 // Distances of random points of the plan bound both from the right sides.
+// Plans on a grid have parallel edges, lines and points, and sums without rounding.
+TEST(PlanSum, IsTheHullOfAllSums) {
+  Random random(6);
+  for (int i = 0; i < support::cases(3000); ++i) {
+    const bool grid = i % 2 == 0;
+    const auto plan = [&] {
+      std::vector<Vec2> points;
+      for (int k = 1 + random.below(7); k > 0; --k) {
+        points.emplace_back(grid ? Vec2(random.below(5), random.below(5))
+                                 : Vec2(random.uniform(-1, 1), random.uniform(-1, 1)));
+      }
+      return plan_hull(std::move(points));
+    };
+    const std::vector<Vec2> a = plan();
+    const std::vector<Vec2> b = plan();
+    std::vector<Vec2> sums;
+    for (const Vec2& p : a) {
+      for (const Vec2& q : b) sums.push_back(p + q);
+    }
+    ASSERT_EQ(plan_sum(a, b), plan_hull(sums)) << "case " << i;
+  }
+}
+
 TEST(PlanDistance, IsBetweenTheNearestAndTheFurthestPoint) {
   Random random(4);
   for (int i = 0; i < support::cases(500); ++i) {
