@@ -219,6 +219,22 @@ TEST(PlanSum, IsTheHullOfAllSums) {
   }
 }
 
+TEST(PlanSum, KeepsTheEndsOfAllButParallelLines) {
+  for (const double aside : {0.0, 1e-17, 1e-16, 1e-15, 1e-12}) {
+    for (const Vec2& end : {Vec2(3, 1 + aside), Vec2(-3, 1 + aside), Vec2(aside, 2)}) {
+      const auto sum = plan_sum(plan_hull({{0, 0}, {3, 1}}), plan_hull({{0, 0}, end}));
+      const auto holds = [&](const Vec2& p) {
+        return std::find(sum.begin(), sum.end(), p) != sum.end();
+      };
+      EXPECT_TRUE(holds(Vec2(3, 1) + end) || end.x() <= 0) << end.transpose();
+      EXPECT_NEAR(furthest(sum, {0, 0}), furthest({{0, 0}, {3, 1}, end, Vec2(3, 1) + end}, {0, 0}),
+                  1e-12);
+      EXPECT_NEAR(furthest(sum, {9, 3}), furthest({{0, 0}, {3, 1}, end, Vec2(3, 1) + end}, {9, 3}),
+                  1e-12);
+    }
+  }
+}
+
 TEST(PlanDistance, IsBetweenTheNearestAndTheFurthestPoint) {
   Random random(4);
   for (int i = 0; i < support::cases(500); ++i) {
