@@ -58,6 +58,7 @@ struct Options {
     return {{.asked = limits.limits(),
              .override_record = override_record,
              .exact = decides_exactly(),
+             .exact_if_straight = returns.asked() && !exact,
              .stands = together.parks(),
              .clearance = no_clearance ? traj::Clearance::left_out : traj::Clearance::measured},
             &drone_file.autopilot.flier,

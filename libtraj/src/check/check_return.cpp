@@ -5,6 +5,7 @@
 #include "geom/base/usage_error.h"
 #include "traj/home/flight_return.h"
 #include "traj/home/return_certificate.h"
+#include "traj/mission/judge/judge.h"
 
 namespace traj {
 namespace {
@@ -95,10 +96,13 @@ ReturnReport check_return(const geom::CollisionScene& scene, const FileFlight& f
     throw geom::UsageError(
         "the mission does not say where home is: give it with --home-place x,y,z");
   }
-  return prove(scene,
-               mission.drift.empty() ? dji_return(mission, flier, rules)
-                                     : flight_return(mission, flier, rules.height),
-               rules);
+  ReturnReport report = prove(scene,
+                              mission.drift.empty() ? dji_return(mission, flier, rules)
+                                                    : flight_return(mission, flier, rules.height),
+                              rules);
+  if (report.reasons.empty()) return report;
+  if (auto way = whole_way(scene, mission)) report.way = *std::move(way);
+  return report;
 }
 
 }  // namespace traj

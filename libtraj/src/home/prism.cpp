@@ -91,41 +91,28 @@ std::vector<Vec2> edges(const std::vector<Vec2>& plan) {
   return out;
 }
 
-// Whether b is no corner between a and c: the way does not turn left there, and goes on. (The end
-// of a plan that is a line, or by rounding almost one, is a corner, where the way turns back.)
-bool is_passed(const Vec2& a, const Vec2& b, const Vec2& c) {
-  return cross(b - a, c - b) <= 0 && (b - a).dot(c - b) > 0;
-}
-
 }  // namespace
 
-// Edges of both, in the order of their ways, are those of the sum.
+// Edges of both, in the order of their ways, are those of the sum. By rounding it may have edges
+// that are too short to have a way: plan_hull() takes them out.
 std::vector<Vec2> plan_sum(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
   const std::vector<Vec2> of_a = edges(a);
   const std::vector<Vec2> of_b = edges(b);
   std::vector<Vec2> out;
   out.reserve(of_a.size() + of_b.size() + 1);
-  const auto add = [&](const Vec2& p) {
-    while (out.size() > 1 && is_passed(out[out.size() - 2], out.back(), p)) out.pop_back();
-    out.push_back(p);
-  };
   std::size_t i = 0;
   std::size_t k = 0;
-  const auto corner = [&]() -> Vec2 { return a[i < a.size() ? i : 0] + b[k < b.size() ? k : 0]; };
-  out.push_back(corner());
   while (i < of_a.size() || k < of_b.size()) {
+    out.push_back(a[i % a.size()] + b[k % b.size()]);
     const bool only_a = k == of_b.size();
     const bool only_b = i == of_a.size();
     const bool next_a = only_a || (!only_b && !turns_before(of_b[k], of_a[i]));
     const bool next_b = only_b || (!only_a && !turns_before(of_a[i], of_b[k]));
     i += next_a;
     k += next_b;
-    if (i < of_a.size() || k < of_b.size()) add(corner());
   }
-  while (out.size() > 2 && is_passed(out[out.size() - 2], out.back(), out.front())) {
-    out.pop_back();
-  }
-  return out;
+  if (out.empty()) out.push_back(a.front() + b.front());
+  return plan_hull(std::move(out));
 }
 
 Prism prism_around(std::span<const Vec3> points) {
