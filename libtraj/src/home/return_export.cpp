@@ -59,7 +59,7 @@ class ReturnExport {
     if (auto why = why_unfit(mission, of)) return refused(*why);
     std::vector<std::string> warnings;
     if (wishes_.compiles_fences) {
-      auto compiled = compile(mission, of);
+      auto compiled = best_fences(mission, of);
       if (!compiled.missing.empty()) return refused(no_fences(compiled));
       warn_of_open(compiled, warnings);
       options_.fences = std::move(compiled.fences);
@@ -172,7 +172,18 @@ class ReturnExport {
 
   // --- fences ---------------------------------------------------------------------------------
 
-  CompiledFences compile(const FlownMission& mission, const FlightReturn& of) const {
+  // Fences that hold every proved return; if some obstacle is so near to one that no fence fits
+  // between them, those that leave such returns out and keep out of more obstacles.
+  CompiledFences best_fences(const FlownMission& mission, const FlightReturn& of) const {
+    CompiledFences all = compile(mission, of, 0);
+    if (all.missing.empty() && all.open.empty()) return all;
+    CompiledFences wider = compile(mission, of, kFenced);
+    const bool better = !all.missing.empty() || wider.open.size() < all.open.size();
+    return wider.missing.empty() && better ? wider : all;
+  }
+
+  // `spare`: m that returns leave to obstacles for a fence; others are left out.
+  CompiledFences compile(const FlownMission& mission, const FlightReturn& of, double spare) const {
     FenceTask task;
     task.budget = budget_;
     task.origin = mission_frame().origin;
@@ -183,7 +194,7 @@ class ReturnExport {
       task.low = std::min(task.low, of.task.home.z() + model.height - model.under);
       task.high = std::max(task.high, of.task.home.z() + model.height);
     }
-    add_returns(of, task);
+    add_returns(of, spare, task);
     add_rally(of.task, task);
     return compile_fences(scene_, task);
   }
@@ -205,10 +216,9 @@ class ReturnExport {
     }
   }
 
-  // Those that leave room for a fence.
-  void add_returns(const FlightReturn& of, FenceTask& task) const {
+  void add_returns(const FlightReturn& of, double metres, FenceTask& task) const {
     ReturnTask wider = of.task;
-    const geom::Vec2 spare(kFenced, kFenced);
+    const geom::Vec2 spare(metres, metres);
     for (ReturnModel& model : wider.models) {
       const Vec3 margin = scene_.half() - scene_.vehicle().half - of.task.room;
       model.around.head<2>() = model.around.cwiseMax(margin).head<2>() + spare;

@@ -258,8 +258,10 @@ def require_clear(claim, obstacles, half, group, prism, sweep, stage):
     places = group[-1][1].sides if sweep["phase"] in SINKS else stage["sides"]
     if stands is not None:
         stands = F(number(stands, "stands_on"))
-        require(stands == claim.home[2] if sweep["phase"] in SINKS else is_low_above_an_end(claim, stands, stage),
+        may = stands == claim.home[2] if sweep["phase"] in SINKS else is_low_above_an_end(claim, stands, stage)
+        require(may or claim.is_mission,
                 "only a way down to home's ground, and a flight low above its first or last place, may stand on something")
+        stands = stands if may else None  # of a mission: then it must be clear of all boxes
     require(all(l + h <= side[0] and side[1] <= u - h for l, u, h, side in zip(low, high, half, prism.sides)) and
             prism.high <= high[2] - half[2] and (stands is not None or prism.low >= low[2] + half[2]),
             f"the {sweep['phase']} leaves the bounds")
