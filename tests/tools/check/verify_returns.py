@@ -262,6 +262,8 @@ def require_clear(claim, obstacles, half, group, prism, sweep, stage):
         require(may or claim.is_mission,
                 "only a way down to home's ground, and a flight low above its first or last place, may stand on something")
         stands = stands if may else None  # of a mission: then it must be clear of all boxes
+    if stands is not None and sweep["phase"] not in SINKS:
+        require(prism.low >= stands, f"the {sweep['phase']} is below what it stands on")
     require(all(l + h <= side[0] and side[1] <= u - h for l, u, h, side in zip(low, high, half, prism.sides)) and
             prism.high <= high[2] - half[2] and (stands is not None or prism.low >= low[2] + half[2]),
             f"the {sweep['phase']} leaves the bounds")
