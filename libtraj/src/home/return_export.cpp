@@ -28,8 +28,9 @@
 namespace traj {
 namespace {
 
-constexpr double kLevel = 1;      // m: ground that is as high as home's
-constexpr double kFenced = 0.03;  // m that fences need between a return and an obstacle
+constexpr double kLevel = 1;  // m: ground that is as high as home's
+// m that fences may need between a return and an obstacle
+constexpr double kFenced[] = {0.012, 0.018, 0.024, 0.03};
 constexpr const char* kWritten = "what was written";
 
 MissionExport refused(std::string why) { return {{}, std::move(why), {}, {}}; }
@@ -172,14 +173,17 @@ class ReturnExport {
 
   // --- fences ---------------------------------------------------------------------------------
 
-  // Fences that hold every proved return; if some obstacle is so near to one that no fence fits
-  // between them, those that leave such returns out and keep out of more obstacles.
+  // Fences that hold every proved return. If an obstacle is so near to one that no fence fits
+  // between them, those that keep out of more obstacles and leave as few returns out as they can.
   CompiledFences best_fences(const FlownMission& mission, const FlightReturn& of) const {
-    CompiledFences all = compile(mission, of, 0);
-    if (all.missing.empty() && all.open.empty()) return all;
-    CompiledFences wider = compile(mission, of, kFenced);
-    const bool better = !all.missing.empty() || wider.open.size() < all.open.size();
-    return wider.missing.empty() && better ? wider : all;
+    CompiledFences best = compile(mission, of, 0);
+    for (const double spare : kFenced) {
+      if (best.missing.empty() && best.open.empty()) break;
+      CompiledFences next = compile(mission, of, spare);
+      const bool better = !best.missing.empty() || next.open.size() < best.open.size();
+      if (next.missing.empty() && better) best = std::move(next);
+    }
+    return best;
   }
 
   // `spare`: m that returns leave to obstacles for a fence; others are left out.
@@ -219,9 +223,9 @@ class ReturnExport {
   void add_returns(const FlightReturn& of, double metres, FenceTask& task) const {
     ReturnTask wider = of.task;
     const geom::Vec2 spare(metres, metres);
+    const Vec3 margin = scene_.half() - scene_.vehicle().half - of.task.room;
     for (ReturnModel& model : wider.models) {
-      const Vec3 margin = scene_.half() - scene_.vehicle().half - of.task.room;
-      model.around.head<2>() = model.around.cwiseMax(margin).head<2>() + spare;
+      if (metres > 0) model.around.head<2>() = model.around.cwiseMax(margin).head<2>() + spare;
     }
     for (const ProvedReturn& one : proved_returns(scene_, of.stages, wider)) {
       const Prism& region = one.sweep.region;

@@ -340,7 +340,11 @@ def verify(record, certificate, box_map):
             duration = F(number(certificate.get("duration"), "duration", 0, LONGEST))
         require_all_times(stages, duration)
     require(names and len(set(names)) == len(names), f"the autopilots {names}")
-    return {"action": claim.action, "home": [float(c) for c in claim.home], "autopilots": names}
+    shown = {"action": claim.action, "home": [float(c) for c in claim.home], "autopilots": names}
+    if claim.is_mission:  # whether it was shown for the ways up from the ground and down to it
+        points = [fractions(p) for p in record["points"]]
+        shown |= {"ascent": claim.way[:len(points)] != points, "descent": claim.way[-len(points):] != points}
+    return shown
 
 
 def verify_files(record_file, map_file, certificate_file):
