@@ -10,6 +10,7 @@ namespace traj {
 namespace {
 
 using exact::Point;
+using exact::RoughSolid;
 using exact::Solid;
 using exact::Whole;
 using exact::WholeBox;
@@ -18,7 +19,7 @@ using Place = std::array<Rational, 3>;
 
 constexpr double kHair = 5e-10;        // m: rounding may put a place so far beside its region
 constexpr double kSameInstant = 1e-9;  // s
-constexpr double kAround = 1;          // m around all that is looked at, for rounding
+constexpr double kRounding = 1e-6;     // m, and its square of coordinates: more than these round
 
 Place rational(const Vec3& p) { return {Rational(p.x()), Rational(p.y()), Rational(p.z())}; }
 
@@ -88,9 +89,14 @@ bool holds(const Prism& prism, const Place& place) {
 
 struct Obstacle {
   std::size_t index = 0;
-  geom::Aabb rough;  // holds it
-  WholeBox box;
+  geom::Aabb rough;  // holds it, as it is grown
   double top = 0;
+};
+
+// A prism, or its convex hull with a point.
+struct Region {
+  const Prism& prism;
+  std::optional<Vec3> to = {};
 };
 
 struct Refusal {
@@ -126,8 +132,8 @@ class Ways {
     }
     for (std::size_t i = 0; i + 2 < points.size(); ++i) {
       const Prism end = prism_around(std::span(&points[i], 1));
-      if (auto met = meets(Solid(end, points[i + 1]), from, points[i])) return met;
-      if (auto met = meets(Solid(way.beyond[i]), from, points[i + 1])) return met;
+      if (auto met = meets({end, points[i + 1]}, from, points[i])) return met;
+      if (auto met = meets({way.beyond[i]}, from, points[i + 1])) return met;
     }
     if (auto met = landing(way)) return met;
     for (const ProvedJoin& join : way.joins) {
@@ -153,30 +159,56 @@ class Ways {
     }
     const auto all = geom::bounds(places);
     if (!all) return;
-    const Vec3 room = task_.vehicle.half + Vec3::Constant(task_.margin + kAround);
     for (std::size_t i = 0; i < task_.map.size(); ++i) {
       const geom::Aabb box = task_.map.box(i);
+      const Vec3 room = rough_room(box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs()));
       const geom::Aabb rough{box.min - room, box.max + room};
-      if (!geom::overlap(rough, *all)) continue;
-      Obstacle one{i, rough, {exact::whole(box.min), exact::whole(box.max)}, box.max.z()};
-      for (std::size_t k = 0; k < 3; ++k) {
-        one.box.low[k] -= half_[k];
-        one.box.high[k] += half_[k];
-      }
-      near_.push_back(std::move(one));
+      if (geom::overlap(rough, *all)) near_.push_back({i, rough, box.max.z()});
     }
   }
 
-  Refused meets(const Solid& solid, double time, const Vec3& place,
+  WholeBox grown(const Obstacle& one) const {
+    const geom::Aabb box = task_.map.box(one.index);
+    WholeBox out{exact::whole(box.min), exact::whole(box.max)};
+    for (std::size_t k = 0; k < 3; ++k) {
+      out.low[k] -= half_[k];
+      out.high[k] += half_[k];
+    }
+    return out;
+  }
+
+  Refused meets(const Region& region, double time, const Vec3& place,
                 const std::optional<double>& stands_on = {}) const {
+    const RoughSolid rough(region.prism, region.to);
+    std::optional<Solid> solid;
+    const auto exactly = [&]() -> const Solid& {
+      return solid ? *solid : solid.emplace(region.prism, region.to);
+    };
     WholeBox room = free_;
     if (stands_on) room.low[2] = exact::whole(-geom::kFarthest);
-    if (!solid.within(room)) return Refusal{Reason::bounds, time, place};
+    if (!surely_inside(rough.around()) && !exactly().within(room)) {
+      return Refusal{Reason::bounds, time, place};
+    }
     for (const Obstacle& one : near_) {
       if (stands_on && one.top <= *stands_on) continue;
-      if (!solid.apart(one.box)) return Refusal{Reason::collision, time, place, one.index};
+      if (rough.surely_apart(one.rough)) continue;
+      if (!exactly().apart(grown(one))) return Refusal{Reason::collision, time, place, one.index};
     }
     return std::nullopt;
+  }
+
+  bool surely_inside(const geom::Aabb& box) const {
+    const geom::Aabb& bounds = task_.map.spec().bounds;
+    const Vec3 far = bounds.min.cwiseAbs().cwiseMax(bounds.max.cwiseAbs());
+    const Vec3 room = rough_room(far);
+    return ((box.min - bounds.min - room).array() > 0).all() &&
+           ((bounds.max - box.max - room).array() > 0).all();
+  }
+
+  // The vehicle with its margin, and more than what it is rounded by at coordinates up to `far`.
+  Vec3 rough_room(const Vec3& far) const {
+    return task_.vehicle.half + Vec3::Constant(task_.margin + kRounding) +
+           kRounding * kRounding * far;
   }
 
   // Straight down, past everything higher than the ground, and something or the floor is there.
@@ -186,23 +218,23 @@ class Ways {
     const Refusal none{Reason::landing, way.record.from, ground};
     if (above.head<2>() != ground.head<2>() || !(above.z() > ground.z())) return none;
     const Prism column{{ground.head<2>()}, ground.z(), above.z()};
-    if (auto met = meets(Solid(column), way.record.from, ground, ground.z())) {
+    if (auto met = meets({column}, way.record.from, ground, ground.z())) {
       return Refusal{Reason::landing, way.record.from, ground, met->box};
     }
     if (ground.z() == task_.map.spec().bounds.min.z()) return std::nullopt;
     const Solid foot(Prism{{ground.head<2>()}, ground.z(), ground.z()});
     const bool stands = std::any_of(near_.begin(), near_.end(), [&](const Obstacle& one) {
-      return one.top == ground.z() && !foot.apart(one.box);
+      return one.top == ground.z() && !foot.apart(grown(one));
     });
     return stands ? std::nullopt : Refused(none);
   }
 
   Refused join_refused(const ProvedJoin& join, const Vec3& first) const {
     const Vec3 place = join.where.empty() ? first : join.where.front();
-    if (auto met = meets(Solid(join.braking), join.from, place)) return met;
-    if (auto met = meets(Solid(join.braking, first), join.from, place)) return met;
+    if (auto met = meets({join.braking}, join.from, place)) return met;
+    if (auto met = meets({join.braking, first}, join.from, place)) return met;
     if (!holds(join.beyond, rational(first))) return Refusal{Reason::return_home, join.from, first};
-    if (auto met = meets(Solid(join.beyond), join.from, first)) return met;
+    if (auto met = meets({join.beyond}, join.from, first)) return met;
     for (const FlightStage& stage : stages_) {
       const double from = std::max(stage.from, join.from);
       const double until = std::min(stage.until, join.until);

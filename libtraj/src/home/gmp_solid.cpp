@@ -1,6 +1,8 @@
 #include "gmp_solid.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 
 namespace traj::exact {
 namespace {
@@ -82,6 +84,55 @@ bool Solid::within(const WholeBox& box) const {
   return std::all_of(corners_.begin(), corners_.end(), [&](const Point& p) {
     return p[0] >= box.low[0] && p[1] >= box.low[1] && p[2] >= box.low[2] && p[0] <= box.high[0] &&
            p[1] <= box.high[1] && p[2] <= box.high[2];
+  });
+}
+
+RoughSolid::RoughSolid(const Prism& prism, const std::optional<Vec3>& to)
+    : corners_(traj::corners(prism)) {
+  const std::size_t count = prism.plan.size();
+  std::vector<Vec3> edges;
+  for (std::size_t i = 0; i < count && count > 1; ++i) {
+    edges.push_back(corners_[(i + 1) % count] - corners_[i]);
+  }
+  const std::vector<Vec3> of_prism = corners_;
+  if (to) corners_.push_back(*to);
+  around_ = *geom::bounds(corners_);
+  for (const Vec3& edge : edges) add({edge.y(), -edge.x(), 0});
+  if (!to) return;
+  // Across the ways to the point: along these faces most boxes that are below, or beside, are
+  // apart.
+  for (const Vec3& corner : of_prism) {
+    const Vec3 way = *to - corner;
+    for (const Vec3& axis : {Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY()), Vec3(Vec3::UnitZ())}) {
+      add(way.cross(axis));
+    }
+    for (const Vec3& edge : edges) add(way.cross(edge));
+  }
+}
+
+void RoughSolid::add(const Vec3& normal) {
+  Along one{normal, std::numeric_limits<double>::infinity(),
+            -std::numeric_limits<double>::infinity(), 0};
+  for (const Vec3& p : corners_) {
+    const double at = normal.dot(p);
+    one.least = std::min(one.least, at);
+    one.most = std::max(one.most, at);
+    one.size = std::max(one.size, normal.cwiseAbs().dot(p.cwiseAbs()));
+  }
+  along_.push_back(one);
+}
+
+bool RoughSolid::surely_apart(const geom::Aabb& box) const {
+  if (!geom::overlap(around_, box)) return true;
+  constexpr double kRounding = 1e-14;  // of a sum of three products, of its size
+  const Vec3 far = box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs());
+  return std::any_of(along_.begin(), along_.end(), [&](const Along& one) {
+    const Vec3 up = one.normal.cwiseMax(0);
+    const Vec3 down = one.normal.cwiseMin(0);
+    const double least = up.dot(box.min) + down.dot(box.max);
+    const double most = up.dot(box.max) + down.dot(box.min);
+    const double room = kRounding * (one.size + one.normal.cwiseAbs().dot(far));
+    return one.least - most > room || least - one.most > room;
   });
 }
 

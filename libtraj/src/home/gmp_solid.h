@@ -1,11 +1,13 @@
 #pragma once
 
-// Convex solids in whole numbers of 2^-1074 m, and whether one is apart from a box.
+// Convex solids in whole numbers of 2^-1074 m, and whether one is apart from a box; and the same by
+// rounded numbers, where these are enough.
 
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "geom/shape/aabb.h"
 #include "proof/exact/gmp_bernstein.h"
 #include "traj/home/prism.h"
 
@@ -40,6 +42,29 @@ class Solid {
   std::vector<Point> corners_;
   std::vector<Point> normals_;
   std::vector<Extent> extents_;  // along these
+};
+
+// The same solid by rounded numbers. Its "surely" holds in real numbers: any plane that is between
+// the two, by more than the rounding of where they lie along its normal, keeps them apart.
+class RoughSolid {
+ public:
+  explicit RoughSolid(const Prism& prism, const std::optional<Vec3>& to = {});
+
+  bool surely_apart(const geom::Aabb& box) const;
+  const geom::Aabb& around() const { return around_; }
+
+ private:
+  struct Along {
+    Vec3 normal;
+    double least;
+    double most;
+    double size;  // of the sums of products
+  };
+  void add(const Vec3& normal);
+
+  std::vector<Vec3> corners_;
+  geom::Aabb around_;
+  std::vector<Along> along_;
 };
 
 }  // namespace traj::exact

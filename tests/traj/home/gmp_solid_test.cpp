@@ -37,6 +37,7 @@ TEST(Solid, AgreesWithRoundedNumbersOnRandomHulls) {
   support::Random random(7);
   int apart = 0;
   int met = 0;
+  int surely = 0;
   for (int i = 0; i < 4000; ++i) {
     const auto number = [&] { return random.uniform(-5, 5); };
     std::vector<Vec3> places;
@@ -54,10 +55,21 @@ TEST(Solid, AgreesWithRoundedNumbersOnRandomHulls) {
     const geom::Aabb box{low, low + Vec3(1, 2, 3) * random.uniform(0.1, 2)};
     const bool exact = Solid(prism, to).apart(whole_box(box));
     ASSERT_EQ(exact, !geom::hull_meets(hull, box)) << "case " << i;
+    const bool sure = RoughSolid(prism, to).surely_apart(box);
+    ASSERT_LE(sure, exact) << "case " << i;
+    surely += sure;
     (exact ? apart : met) += 1;
   }
   EXPECT_GT(apart, 500);
+  EXPECT_GT(surely, 0.9 * apart);
   EXPECT_GT(met, 150);
+}
+
+TEST(RoughSolid, IsNeverSureOfATouch) {
+  const Prism prism{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 0, 1};
+  EXPECT_FALSE(RoughSolid(prism).surely_apart({{1, 1, 1}, {2, 2, 2}}));
+  EXPECT_FALSE(RoughSolid(prism, Vec3(10, 0, 5)).surely_apart({{4, -1, -1}, {6, 2, 2.5}}));
+  EXPECT_TRUE(RoughSolid(prism, Vec3(10, 0, 5)).surely_apart({{4, 3, -1}, {6, 4, 2.5}}));
 }
 
 }  // namespace
