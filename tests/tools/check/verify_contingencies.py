@@ -93,26 +93,31 @@ class Claim:
         self.flying_time = None
         if "flying_time" in certificate:
             self.flying_time = F(number(certificate["flying_time"], "flying_time", 0))
-        self.grown = grown(box_map, self.half)
-        self.exactly = grown(box_map, self.whole)
+        self.boxes = box_map.boxes
+        # Grown boxes in floats and a micrometre larger, to pass by quickly what is clearly far away.
+        room = [float(h) + 1e-6 for h in self.half]
+        self.rough = [([c - r for c, r in zip(box[:3], room)], [c + r for c, r in zip(box[3:], room)]) for box in box_map.boxes]
 
     def require_inside(self, low, high, what, stands=False):
         require(all(a >= l for a, l in list(zip(low, self.low))[:2 if stands else 3]) and
                 all(b <= h for b, h in zip(high, self.high)), f"{what} leaves the bounds")
 
-    def require_clear(self, solid, low, high, what, boxes=None):
+    def near(self, low, high, half):
+        """Boxes that may meet a box, with their numbers, grown by `half`."""
+        low, high = [float(c) - 1e-6 for c in low], [float(c) + 1e-6 for c in high]
+        for index, (least, most) in enumerate(self.rough):
+            if all(low[i] <= most[i] and least[i] <= high[i] for i in range(3)):
+                box = self.boxes[index]
+                yield index, [F(c) - h for c, h in zip(box[:3], half)], [F(c) + h for c, h in zip(box[3:], half)], F(box[5])
+
+    def require_clear(self, solid, low, high, what, half=None):
         self.require_inside(low, high, what)
-        for index, (box_low, box_high, _) in enumerate(self.grown if boxes is None else boxes):
+        for index, box_low, box_high, _ in self.near(low, high, self.half if half is None else half):
             require(solid.is_apart(box_low, box_high), f"{what} meets box {index}")
 
     def require_prism_clear(self, prism, what):
         low, high = ([side[i] for side in prism.sides] + [z] for i, z in enumerate((prism.low, prism.high)))
         self.require_clear(prism, low, high, what)
-
-
-def grown(box_map, half):
-    return [([F(c) - h for c, h in zip(box[:3], half)], [F(c) + h for c, h in zip(box[3:], half)], F(box[5]))
-            for box in box_map.boxes]
 
 
 # ---- One way.
@@ -137,7 +142,7 @@ def require_legs(claim, points, way):
     require(len(beyond) == len(points) - 2, "a region beyond each leg but the last")
     for i, (a, b) in enumerate(zip(points, points[1:-1])):
         leg = Hull(point_prism(a), b)
-        claim.require_clear(leg, leg.low, leg.high, f"leg {i}", claim.exactly)
+        claim.require_clear(leg, leg.low, leg.high, f"leg {i}", claim.whole)
         prism = a_prism(beyond[i], f"the region beyond leg {i}")
         require_overshoot(claim, prism, [a], b, f"the region beyond leg {i}")
         claim.require_prism_clear(prism, f"the region beyond leg {i}")
@@ -149,7 +154,7 @@ def require_landing(claim, above, ground):
     claim.require_inside(ground, above, "the way down", stands=True)
     stands = ground[2] == claim.floor
     column = Hull(point_prism(ground), above)
-    for index, (low, high, top) in enumerate(claim.grown):
+    for index, low, high, top in claim.near(column.low, column.high, claim.half):
         if top > ground[2]:
             require(column.is_apart(low, high), f"the way down meets box {index}")
         stands = stands or (top == ground[2] and all(low[i] <= ground[i] <= high[i] for i in (0, 1)))
