@@ -4,6 +4,8 @@
 returns.py OUT --firmware px4 --seed 1 --count 50 [--kind KIND] [-- options of fly.py]: OUT gets the missions (.plan), the
 tracks (.csv), what fly.py printed (.txt), and returns.csv, the table for judge_returns. The same seed makes the same
 missions and orders. What was flown already is not flown again. With --judge that program is run at once.
+With --exports TOOLS (the folder of Skyway's tools) the missions are planned through a made-up town instead, and exported with two
+rally points that skyway-export --rally proves ways to: each flight then comes home by those.
 """
 
 import argparse
@@ -15,6 +17,7 @@ import random
 import re
 import subprocess
 import sys
+import tempfile
 
 FLY = pathlib.Path(__file__).resolve().parent / "fly.py"
 HOME = (37.75, -122.5)  # kept exactly by PX4's simulator
@@ -83,6 +86,48 @@ def made(seed, kind, firmware):
     return plan, round(chance.uniform(first, lasts), 1), action, params, airframe
 
 
+def made_town(chance, folder, pads):
+    """A table of buildings of 6 to 24 m around home, none near the pads."""
+    rows = [f"lat0 {HOME[0]}, lon0 {HOME[1]}", "posX,posY,posZ,halfSizeX,halfSizeY,halfSizeZ"]
+    while len(rows) < 30:
+        north, east, half = chance.uniform(-130, 130), chance.uniform(-130, 130), [chance.uniform(3, 9) for _ in range(2)]
+        if all(max(abs(north - p[1]), abs(east - p[0])) > 25 for p in pads):
+            height = chance.uniform(3, 12)
+            rows.append(f"{north},{east},{height},{half[0]},{half[1]},{height}")
+    (folder / "town.csv").write_text("\n".join(rows) + "\n")
+
+
+def exported(seed, firmware, tools):
+    """As made(), of a mission through a town, exported with rally points."""
+    chance = random.Random(f"{firmware} export {seed}")
+    around = lambda angle: (100 * math.sin(angle), 100 * math.cos(angle))
+    turn = chance.uniform(0, 6.28)
+    pads, goal = [around(turn), around(turn + chance.uniform(1.5, 2.5))], around(turn + chance.uniform(3.5, 5))
+    start, end, height = (0, 0, chance.uniform(8, 20)), (goal[1], goal[0], chance.uniform(8, 30)), chance.choice((35, 45))
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch)
+        made_town(chance, folder, [(0, 0), goal, *pads])
+
+        def tool(name, *arguments):
+            return subprocess.run([str(word) for word in (tools / name, *arguments)], cwd=scratch, check=True, capture_output=True, text=True)
+
+        tool("skyway-import", "town.csv", "-q", "--bounds=-250,-250,0,250,250,120", "-o", "town.boxmap")
+        place = lambda p: ",".join(str(c) for c in p)
+        vehicle = pathlib.Path(__file__).resolve().parents[2] / "data/vehicles/quad2kg.json"
+        tool("skyway-plan", "town.boxmap", f"--from={place(start)}", f"--to={place(end)}", "--vehicle", vehicle, "--margin", 1, "-o", "path.jsonl")
+        rally = [f"--rally={pad[1]},{pad[0]},{chance.choice((10, 20))}" for pad in pads]
+        kind = "px4:1.17" if firmware == "px4" else "ardupilot:4.7"
+        said = tool("skyway-export", "town.boxmap", "path.jsonl", "--format", "qgc-plan", "--speed", 6, "--spare", 0.05, "--autopilot", kind,
+                    "--return-height", height, *rally, "-o", "town.plan").stderr
+        proved = re.search(r"its return is proved for ([\d.]+) %", said)
+        print(f"export {seed}: its return is proved for {proved[1] if proved else 100} % of the time", flush=True)
+        plan = json.loads((folder / "town.plan").read_text())
+    way = math.dist(start, end)
+    first = 8 + start[2] / 1.5
+    params = {"RTL_RETURN_ALT": height} if firmware == "px4" else {"RTL_ALT": 100 * height}
+    return plan, round(chance.uniform(first, first + way / 6), 1), "rtl", params, "quad2kg"
+
+
 def fly(one, folder, firmware, options):
     name, (plan, seconds, action, params, airframe) = one
     mission, track, notes = (folder / f"{name}.{end}" for end in ("plan", "csv", "txt"))
@@ -113,6 +158,7 @@ def main():
     parser.add_argument("--kind", choices=(*KINDS, "places"), help="of all missions (default: each but places in its turn)")
     parser.add_argument("--action", choices=("rtl", "land", "hold"), help="of all orders (default: mostly rtl)")
     parser.add_argument("--usual", action="store_true", help="with the firmware's own parameters (default: at random)")
+    parser.add_argument("--exports", type=pathlib.Path, metavar="TOOLS", help="fly exports of skyway-export --rally instead")
     parser.add_argument("-j", "--jobs", type=int, default=2, help="flights at once (2)")
     parser.add_argument("--judge", type=pathlib.Path, metavar="JUDGE_RETURNS", help="the program of that name, to run afterwards")
     at = sys.argv.index("--") if "--" in sys.argv else len(sys.argv)
@@ -122,7 +168,9 @@ def main():
     for number in range(options.count):
         kind = options.kind or KINDS[number % len(KINDS)]
         seed = 1000 * options.seed + number
-        plan, seconds, action, params, airframe = made(seed, kind, options.firmware)
+        kind = "export" if options.exports else kind
+        plan, seconds, action, params, airframe = (
+            exported(seed, options.firmware, options.exports.resolve()) if options.exports else made(seed, kind, options.firmware))
         name = f"{options.firmware[:3]}_{kind}_{seed}" + (f"_{options.action}" if options.action else "")
         flights.append((name, (plan, seconds, options.action or action, {} if options.usual else params, airframe)))
     table = options.outdir / "returns.csv"

@@ -79,7 +79,7 @@ for place, printed, record in records():
     fault = jsonschema.exceptions.best_match(known[kind].iter_errors(record))
     assert fault is None, f"{place}: {fault.message}"
     count.setdefault(kind, []).append(record)
-for kind in ("report", "together", "pair", "moving", "moving_conflict", "clear_of", "clear_of_moving"):
+for kind in ("report", "together", "pair", "moving", "moving_conflict", "clear_of", "clear_of_moving", "returns", "contingency", "contingencies"):
     assert count.get(kind), f"no session has a record of type {kind}"
 
 balloon = count["moving"][0]

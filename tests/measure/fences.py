@@ -1,6 +1,6 @@
-"""fences.py BIN_DIR COLLIDERS.csv QUERIES.csv [COUNT] [-- EXPORT OPTIONS]: fences compiled for missions over a city.
+"""fences.py BIN_DIR COLLIDERS.csv QUERIES.csv [COUNT [FIRST]] [-- EXPORT OPTIONS]: fences compiled for missions over a city.
 
-Paths of the public queries (street-local 0 to 99, street-global 0 to 59; quad2kg, margin 0.6, --spare 0.05) become plans
+Paths of the public queries (street-local 0 to 99, street-global 0 to 59, each counted from FIRST; quad2kg, margin 0.6, --spare 0.05) become plans
 (--speed 8), the first COUNT (100) that are exported without a fence. Each is exported again with --fence auto. A table says how
 many have fences within the budget, how many corners these have, how many keep out of every obstacle as high as the returns, how many
 hold every return that is proved without them, what the others lose at most (points of the share of the time), and from how much of
@@ -20,6 +20,7 @@ asked = words[words.index("--") + 1:] if "--" in words else None
 words = words[:words.index("--")] if "--" in words else words
 bin_dir, colliders, queries = (pathlib.Path(word).resolve() for word in words[:3])
 count = int(words[3]) if len(words) > 3 else 100
+first = int(words[4]) if len(words) > 4 else 0
 KINDS = [asked] if asked else [["--autopilot", "px4", "--return-height", str(height)] for height in (60, 90, 120)] + [
     ["--autopilot", "ardupilot", "--return-height", "60"]]
 
@@ -43,7 +44,8 @@ with tempfile.TemporaryDirectory() as folder:
     boxmap, plan_file = work / "city.boxmap", work / "x.plan"
     # The ceiling leaves room for returns over the highest roof.
     run(bin_dir / "skyway-import", colliders, "-o", boxmap, "--ceiling", "400", check=True)
-    rows = [line for line in queries.read_text().splitlines()[1:] if re.match(r"street-local,\d\d?,|street-global,[0-5]?\d,", line)]
+    most = {"street-local": 100, "street-global": 60}
+    rows = [line for line in queries.read_text().splitlines()[1:] if first <= int(line.split(",")[1]) < first + most.get(line.split(",")[0], 0)]
     header = queries.read_text().splitlines()[0]
     (work / "q.csv").write_text("\n".join([header, *rows]) + "\n")
     vehicle = ["--vehicle", pathlib.Path(__file__).resolve().parents[2] / "data/vehicles/quad2kg.json", "--margin", "0.65"]

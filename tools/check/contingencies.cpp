@@ -16,6 +16,7 @@
 #include "geom/text/json_fields.h"
 #include "geom/text/record_lines.h"
 #include "traj/home/check_contingencies.h"
+#include "traj/home/contingency_proof.h"
 #include "traj/home/home_flight.h"
 #include "traj/record/verdict.h"
 #include "traj/record/verdict_table.h"
@@ -37,6 +38,12 @@ ById read_contingencies(const std::string& path) {
   return out;
 }
 
+struct CheckedFlight {
+  geom::RecordLine line;
+  traj::ReportRecord report = {};
+  std::string certificate = {};  // a line, where it is asked for
+};
+
 // Flights of any vehicle held against their contingencies.
 class ContingencyChecker {
  public:
@@ -47,16 +54,23 @@ class ContingencyChecker {
   }
 
   // Threads may call at once.
-  traj::ReportRecord check(const std::string& text, const std::string& source,
-                           std::size_t line) const {
+  void check(CheckedFlight& item, const std::string& source) const {
+    const std::size_t line = item.line.number;
     const traj::HomeFlight flight =
-        traj::read_home_flight(geom::JsonFields(text, source, line), run_.vmax);
+        traj::read_home_flight(geom::JsonFields(item.line.text, source, line), run_.vmax);
     const auto found = records_.find(flight.id);
     const std::vector<traj::ContingencyRecord> none;
     const auto& records = found == records_.end() ? none : found->second;
     const auto scene = run_.scenes.shared_scene_for(room_of(flight, records), source, line);
     run_.metres.check_input(scene->map().spec().frame, flight.places(), source, line);
-    return traj::check_contingencies(*scene, flight.id, flight.stages, records, rules_);
+    item.report = traj::check_contingencies(*scene, flight.id, flight.stages, records, rules_);
+    if (!item.report.result.ok || !(run_.exact || !run_.certificate.empty())) return;
+    const auto ways = traj::proved_ways(*scene, flight.stages, records, rules_);
+    const traj::ExactTask task{scene->map(), scene->vehicle(), scene->margin()};
+    item.report.exact = traj::check_exactly(task, flight.stages, ways);
+    if (run_.certificate.empty() || !item.report.exact->ok) return;
+    item.certificate = traj::contingency_certificate_line(*scene, flight.id, flight.kind,
+                                                          flight.stages, ways, rules_);
   }
 
   // Throws InputError for contingencies of a flight that is not among these.
@@ -88,11 +102,6 @@ class ContingencyChecker {
   traj::ContingencyRules rules_;
 };
 
-struct CheckedFlight {
-  geom::RecordLine line;
-  traj::ReportRecord report = {};
-};
-
 }  // namespace
 
 void Contingencies::add_to(CLI::App& app) {
@@ -103,8 +112,8 @@ void Contingencies::add_to(CLI::App& app) {
 void Contingencies::refuse_idle(const CLI::App& app) const {
   if (!asked()) return;
   cli::only_for(app, false,
-                {"--exact", "--certificate", "--profile", "--override", "--no-clearance", "--spare",
-                 "--junit", "--drop-refused", "--together", "--moving", "--return"},
+                {"--profile", "--override", "--no-clearance", "--spare", "--junit",
+                 "--drop-refused", "--together", "--moving", "--return"},
                 "the flights themselves: leave --contingencies out");
 }
 
@@ -123,6 +132,8 @@ cli::Exit Contingencies::check(const Run& run) const {
   const geom::BoxMap& map = run.scenes.map();
   cli::InputFile& file = run.flights;
   cli::RecordOutput out(run.report.file(), "output", run.sharding);
+  std::optional<cli::RecordOutput> certificates;
+  if (!run.certificate.empty()) certificates.emplace(run.certificate, "certificate", run.sharding);
   geom::RecordLines lines(file.stream(), file.name());
   traj::VerdictTable table;
   cli::Batch batch;
@@ -135,9 +146,7 @@ cli::Exit Contingencies::check(const Run& run) const {
     }
     return std::nullopt;
   };
-  const auto work = [&](CheckedFlight& item) {
-    item.report = checker.check(item.line.text, file.name(), item.line.number);
-  };
+  const auto work = [&](CheckedFlight& item) { checker.check(item, file.name()); };
   const auto take = [&](CheckedFlight& item) {
     const traj::ReportRecord& report = item.report;
     const bool ok = traj::accepted(report);
@@ -146,6 +155,7 @@ cli::Exit Contingencies::check(const Run& run) const {
     ok ? batch.add_good()
        : batch.add_failed(traj::verdict_word(report),
                           report.id + ": " + traj::in_words(report, map));
+    if (certificates) certificates->add(item.certificate);
     run.report.is_text() ? table.add(report, map) : out.add(traj::to_json_line(report, map));
   };
   geom::in_order<CheckedFlight>(run.common.execution("flights"), kFlightsHeld, next, work, take);
@@ -153,6 +163,7 @@ cli::Exit Contingencies::check(const Run& run) const {
   const cli::Exit exit = failed > 0 ? cli::Exit::no : cli::Exit::yes;
   if (run.report.is_text()) out.add(table.text(run.report.colour()));
   out.commit(total, exit);
+  if (certificates) certificates->commit(total, exit);
   if (run.report.tells())
     batch.tell(run.common, "skyway-check", "flights have no way home at some times");
   run.common.write_stats(

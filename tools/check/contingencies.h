@@ -38,6 +38,8 @@ class Contingencies {
     const cli::MetresOption& metres;
     const cli::Sharding& sharding;
     const ReportOutput& report;
+    bool exact;                      // checked once more in exact numbers
+    const std::string& certificate;  // a file; empty: none
   };
 
   // A report a flight.

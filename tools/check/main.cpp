@@ -58,6 +58,7 @@ struct Options {
     return {{.asked = limits.limits(),
              .override_record = override_record,
              .exact = decides_exactly(),
+             .exact_if_straight = returns.asked() && !exact,
              .stands = together.parks(),
              .clearance = no_clearance ? traj::Clearance::left_out : traj::Clearance::measured},
             &drone_file.autopilot.flier,
@@ -289,7 +290,8 @@ int main(int argc, char** argv) {
     if (options.contingencies.asked()) {
       return options.contingencies.check({common, file, scenes, options.drone_file.autopilot,
                                           options.limits.limits()[traj::Limit::speed],
-                                          options.metres, sharding, options.report});
+                                          options.metres, sharding, options.report, options.exact,
+                                          options.certificate});
     }
     return check_records(options, file, scenes, sharding, common);
   });

@@ -97,6 +97,13 @@ cli::Exit Reports::commit(std::size_t total) {
 }
 
 std::string Reports::certificate(const traj::ReportRecord& report) const {
+  std::string lines;
+  if (report.exact) lines += way_certificate(report);
+  if (report.returns) lines += traj::return_certificate_line(report, map_);
+  return lines;
+}
+
+std::string Reports::way_certificate(const traj::ReportRecord& report) const {
   traj::CertificateRecord record{report.id,          report.checked,    *report.exact,
                                  map_.spec().bounds, report.provenance, report.limits,
                                  report.overridden};
@@ -105,9 +112,7 @@ std::string Reports::certificate(const traj::ReportRecord& report) const {
     record.start = report.time.start;
     record.stands = files_.parks;
   }
-  std::string lines = to_json_line(record);
-  if (report.returns) lines += traj::return_certificate_line(report, map_);
-  return lines;
+  return to_json_line(record);
 }
 
 }  // namespace checking

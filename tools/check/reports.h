@@ -75,6 +75,7 @@ class Reports {
 
  private:
   std::string certificate(const traj::ReportRecord& report) const;
+  std::string way_certificate(const traj::ReportRecord& report) const;
 
   ReportFiles files_;
   const geom::BoxMap& map_;

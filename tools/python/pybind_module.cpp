@@ -151,6 +151,7 @@ PYBIND11_MODULE(_skyway, module) {
   binding::bind_flight_log(module);
   binding::bind_planner(module);
   binding::bind_trajectories(module);
+  binding::bind_home(module);
   binding::bind_missions(module);
   binding::bind_pictures(module);
 }

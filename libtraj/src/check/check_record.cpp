@@ -64,13 +64,17 @@ std::string takeoff_detail(const geom::CollisionScene& scene, const CheckResult&
       result.worst, scene.half().z());
 }
 
-// Which drone files the exact check takes.
+// Whether the exact check takes a drone file.
+bool is_straight(const Flown& flown) {
+  const FlownMission* mission = mission_of(flown);
+  return legs_of(flown) && (!mission || (mission->sweeps.empty() && mission->fences.empty()));
+}
+
 void require_exact(const Flown& flown) {
+  if (is_straight(flown)) return;
   if (!legs_of(flown)) {
     throw geom::UsageError("--exact takes paths and records, not files of trajectories");
   }
-  const FlownMission* mission = mission_of(flown);
-  if (!mission || (mission->sweeps.empty() && mission->fences.empty())) return;
   throw geom::UsageError(
       "--exact takes straight legs: this mission has corners, curves or fences as well; check it "
       "without --exact");
@@ -150,7 +154,8 @@ ReportRecord check_record(const geom::CollisionScene& scene, const geom::PathRec
 
 ReportRecord check_record(const geom::CollisionScene& scene, const FileFlight& file,
                           const Flier& flier, const RecordRules& rules) {
-  if (rules.exact) require_exact(file.flown);
+  const bool exact = rules.exact && (!rules.exact_if_straight || is_straight(file.flown));
+  if (exact) require_exact(file.flown);
   const FlownLegs* legs = legs_of(file.flown);
   ReportRecord report{.id = file.id, .checked = legs ? "path" : "trajectory"};
   hold_limits(scene, rules, {}, report);
@@ -164,7 +169,7 @@ ReportRecord check_record(const geom::CollisionScene& scene, const FileFlight& f
   report.result = judge(scene, file.flown, report.limits, rules.clearance);
   report.detail = takeoff_detail(scene, report.result);
   if (report.result.looked) refuse_unmeasured(rules.asked, begin_of(file.flown), report);
-  if (!rules.exact) return report;
+  if (!exact) return report;
   if (const auto way = whole_way(scene, *legs)) {
     report.exact = check_exactly(exact_task(scene, {}), *way);
   }

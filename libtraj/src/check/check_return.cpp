@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include "geom/base/usage_error.h"
+#include "traj/curve/vertical_ends.h"
 #include "traj/home/flight_return.h"
 #include "traj/home/return_certificate.h"
+#include "traj/mission/judge/judge.h"
 
 namespace traj {
 namespace {
@@ -38,8 +40,12 @@ ReturnReport prove(const geom::CollisionScene& scene, FlightReturn flight,
   return report;
 }
 
-// As an aircraft of DJI flies it.
-FlightReturn dji_return(const FlownMission& mission, const Flier& flier, const ReturnRules& rules) {
+// As an aircraft of DJI flies it. From its way down to the ground it returns, too.
+FlightReturn dji_return(const geom::CollisionScene& scene, FlownMission mission, const Flier& flier,
+                        const ReturnRules& rules) {
+  if (mission.lands_below && !mission.ends.landing_on) {
+    mission.ends.landing_on = ground_below(scene, mission.path.back());
+  }
   const auto height = rules.height ? rules.height : mission.return_height;
   if (!height && rules.action == ReturnAction::rtl) {
     throw geom::UsageError(
@@ -95,10 +101,13 @@ ReturnReport check_return(const geom::CollisionScene& scene, const FileFlight& f
     throw geom::UsageError(
         "the mission does not say where home is: give it with --home-place x,y,z");
   }
-  return prove(scene,
-               mission.drift.empty() ? dji_return(mission, flier, rules)
-                                     : flight_return(mission, flier, rules.height),
-               rules);
+  ReturnReport report = prove(scene,
+                              mission.drift.empty() ? dji_return(scene, mission, flier, rules)
+                                                    : flight_return(mission, flier, rules.height),
+                              rules);
+  if (report.reasons.empty()) return report;
+  if (auto way = whole_way(scene, mission)) report.way = *std::move(way);
+  return report;
 }
 
 }  // namespace traj

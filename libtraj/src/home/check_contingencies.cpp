@@ -8,6 +8,7 @@
 #include "home/clear_region.h"
 #include "home/way_room.h"
 #include "home/way_time.h"
+#include "traj/home/contingency_proof.h"
 #include "traj/home/landing_site.h"
 
 namespace traj {
@@ -36,7 +37,7 @@ class Prover {
         room_(scene, rules.models),
         time_(rules.models, scene.vehicle().limits, rules.energy) {}
 
-  Refused refusal(const ContingencyRecord& record) const {
+  Refused refusal(const ContingencyRecord& record) {
     if (auto refused = way_refused(record)) return refused;
     if (auto refused = energy_claim_refused(record)) return refused;
     for (const FlightStage& stage : stages_) {
@@ -44,6 +45,18 @@ class Prover {
       if (auto refused = stage_refused(record, stage)) return refused;
     }
     return std::nullopt;
+  }
+
+  // The same with what was found clear; nothing for a record that is refused.
+  std::optional<ProvedWay> proved(const ContingencyRecord& record) {
+    joins_.emplace();
+    ProvedWay out{record, {}, {}};
+    if (refusal(record)) return std::nullopt;
+    for (std::size_t i = 0; i + 2 < record.points.size(); ++i) {
+      out.beyond.push_back(room_.beyond(record.points[i], record.points[i + 1]));
+    }
+    out.joins = *std::move(joins_);
+    return out;
   }
 
  private:
@@ -71,7 +84,7 @@ class Prover {
 
   // A stage that is partly outside of the record's time is halved as far as it can be, and then
   // taken as a whole.
-  Refused stage_refused(const ContingencyRecord& record, const FlightStage& stage) const {
+  Refused stage_refused(const ContingencyRecord& record, const FlightStage& stage) {
     if (stage.until < record.from || stage.from > record.until) return std::nullopt;
     const bool ends = stage.until == record.from || stage.from == record.until;
     if (ends && stage.from < stage.until) return std::nullopt;  // the neighbour has that instant
@@ -84,7 +97,7 @@ class Prover {
     return stage_refused(record, parts->second);
   }
 
-  Refused part_refused(const ContingencyRecord& record, const FlightStage& stage) const {
+  Refused part_refused(const ContingencyRecord& record, const FlightStage& stage) {
     const Braking from = braking_of(rules_.models, stage);
     const auto refuse = [&](Reason reason, const char* what) {
       return Refusal{
@@ -97,10 +110,15 @@ class Prover {
     if (!room_.joins(from, record.points.front())) {
       return refuse(Reason::collision, "the straight way to its first point is not clear");
     }
-    if (!rules_.energy) return std::nullopt;
-    const double seconds = time_.at_most(from, record.points);
-    if (stage.until + seconds <= flying_time(*rules_.energy) + kSameInstant) return std::nullopt;
-    return refuse(Reason::endurance, "there is not enough energy");
+    const double seconds = rules_.energy || joins_ ? time_.at_most(from, record.points) : 0;
+    if (rules_.energy && stage.until + seconds > flying_time(*rules_.energy) + kSameInstant) {
+      return refuse(Reason::endurance, "there is not enough energy");
+    }
+    if (joins_) {
+      joins_->push_back({stage.from, stage.until, stage.where, from.region,
+                         room_.beyond(from, record.points.front()), seconds});
+    }
+    return std::nullopt;
   }
 
   const geom::CollisionScene& scene_;
@@ -108,6 +126,7 @@ class Prover {
   const ContingencyRules& rules_;
   WayRoom room_;
   WayTime time_;
+  std::optional<std::vector<ProvedJoin>> joins_ = {};  // where they are kept
 };
 
 constexpr const char* kEnergyNotChecked =
@@ -176,7 +195,7 @@ ReportRecord check_contingencies(const geom::CollisionScene& scene, const std::s
     return report;
   }
   report.result.duration = stages.back().until - stages.front().from;
-  const Prover prover(scene, stages, rules);
+  Prover prover(scene, stages, rules);
   Refused first;
   for (const ContingencyRecord& record : records) {
     if (!record.found()) continue;
@@ -196,6 +215,19 @@ ReportRecord check_contingencies(const geom::CollisionScene& scene, const std::s
   report.result.worst = first->worst;
   report.detail = std::move(first->detail);
   return report;
+}
+
+std::vector<ProvedWay> proved_ways(const geom::CollisionScene& scene,
+                                   std::span<const FlightStage> stages,
+                                   std::span<const ContingencyRecord> records,
+                                   const ContingencyRules& rules) {
+  Prover prover(scene, stages, rules);
+  std::vector<ProvedWay> out;
+  for (const ContingencyRecord& record : records) {
+    if (!record.found()) continue;
+    if (auto way = prover.proved(record)) out.push_back(*std::move(way));
+  }
+  return out;
 }
 
 }  // namespace traj

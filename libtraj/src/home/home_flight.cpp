@@ -33,7 +33,7 @@ double path_speed(const std::optional<double>& vmax, const geom::Provenance& pro
 }
 
 HomeFlight flight_of(const geom::PathRecord& record, const std::optional<double>& vmax) {
-  HomeFlight out{record.id, record.provenance, {}};
+  HomeFlight out{.id = record.id, .provenance = record.provenance, .kind = "path"};
   if (record.status == geom::PathStatus::found && record.points.size() > 1) {
     out.stages = stages_of(record, path_speed(vmax, record.provenance));
   }

@@ -70,6 +70,51 @@ std::vector<Vec2> plan_hull(std::vector<Vec2> points) {
   return hull;
 }
 
+namespace {
+
+// Ways of edges counterclockwise, from straight down on: a convex plan begins at its corner
+// furthest to the left.
+bool turns_before(const Vec2& a, const Vec2& b) {
+  const auto goes_left = [](const Vec2& way) {
+    return way.x() < 0 || (way.x() == 0 && way.y() < 0);
+  };
+  if (goes_left(a) != goes_left(b)) return goes_left(b);
+  return cross(a, b) > 0;
+}
+
+std::vector<Vec2> edges(const std::vector<Vec2>& plan) {
+  std::vector<Vec2> out;
+  if (plan.size() < 2) return out;
+  out.reserve(plan.size());
+  for (std::size_t i = 1; i < plan.size(); ++i) out.push_back(plan[i] - plan[i - 1]);
+  out.push_back(plan.front() - plan.back());
+  return out;
+}
+
+}  // namespace
+
+// Edges of both, in the order of their ways, are those of the sum. By rounding it may have edges
+// that are too short to have a way: plan_hull() takes them out.
+std::vector<Vec2> plan_sum(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
+  const std::vector<Vec2> of_a = edges(a);
+  const std::vector<Vec2> of_b = edges(b);
+  std::vector<Vec2> out;
+  out.reserve(of_a.size() + of_b.size() + 1);
+  std::size_t i = 0;
+  std::size_t k = 0;
+  while (i < of_a.size() || k < of_b.size()) {
+    out.push_back(a[i % a.size()] + b[k % b.size()]);
+    const bool only_a = k == of_b.size();
+    const bool only_b = i == of_a.size();
+    const bool next_a = only_a || (!only_b && !turns_before(of_b[k], of_a[i]));
+    const bool next_b = only_b || (!only_a && !turns_before(of_a[i], of_b[k]));
+    i += next_a;
+    k += next_b;
+  }
+  if (out.empty()) out.push_back(a.front() + b.front());
+  return plan_hull(std::move(out));
+}
+
 Prism prism_around(std::span<const Vec3> points) {
   Prism out{{}, points.front().z(), points.front().z()};
   for (const Vec3& p : points) {

@@ -28,8 +28,9 @@
 namespace traj {
 namespace {
 
-constexpr double kLevel = 1;      // m: ground that is as high as home's
-constexpr double kFenced = 0.03;  // m that fences need between a return and an obstacle
+constexpr double kLevel = 1;  // m: ground that is as high as home's
+// m that fences may need between a return and an obstacle
+constexpr double kFenced[] = {0.012, 0.018, 0.024, 0.03};
 constexpr const char* kWritten = "what was written";
 
 MissionExport refused(std::string why) { return {{}, std::move(why), {}, {}}; }
@@ -59,7 +60,7 @@ class ReturnExport {
     if (auto why = why_unfit(mission, of)) return refused(*why);
     std::vector<std::string> warnings;
     if (wishes_.compiles_fences) {
-      auto compiled = compile(mission, of);
+      auto compiled = best_fences(mission, of);
       if (!compiled.missing.empty()) return refused(no_fences(compiled));
       warn_of_open(compiled, warnings);
       options_.fences = std::move(compiled.fences);
@@ -172,7 +173,21 @@ class ReturnExport {
 
   // --- fences ---------------------------------------------------------------------------------
 
-  CompiledFences compile(const FlownMission& mission, const FlightReturn& of) const {
+  // Fences that hold every proved return. If an obstacle is so near to one that no fence fits
+  // between them, those that keep out of more obstacles and leave as few returns out as they can.
+  CompiledFences best_fences(const FlownMission& mission, const FlightReturn& of) const {
+    CompiledFences best = compile(mission, of, 0);
+    for (const double spare : kFenced) {
+      if (best.missing.empty() && best.open.empty()) break;
+      CompiledFences next = compile(mission, of, spare);
+      const bool better = !best.missing.empty() || next.open.size() < best.open.size();
+      if (next.missing.empty() && better) best = std::move(next);
+    }
+    return best;
+  }
+
+  // `spare`: m that returns leave to obstacles for a fence; others are left out.
+  CompiledFences compile(const FlownMission& mission, const FlightReturn& of, double spare) const {
     FenceTask task;
     task.budget = budget_;
     task.origin = mission_frame().origin;
@@ -183,7 +198,7 @@ class ReturnExport {
       task.low = std::min(task.low, of.task.home.z() + model.height - model.under);
       task.high = std::max(task.high, of.task.home.z() + model.height);
     }
-    add_returns(of, task);
+    add_returns(of, spare, task);
     add_rally(of.task, task);
     return compile_fences(scene_, task);
   }
@@ -205,13 +220,12 @@ class ReturnExport {
     }
   }
 
-  // Those that leave room for a fence.
-  void add_returns(const FlightReturn& of, FenceTask& task) const {
+  void add_returns(const FlightReturn& of, double metres, FenceTask& task) const {
     ReturnTask wider = of.task;
-    const geom::Vec2 spare(kFenced, kFenced);
+    const geom::Vec2 spare(metres, metres);
+    const Vec3 margin = scene_.half() - scene_.vehicle().half - of.task.room;
     for (ReturnModel& model : wider.models) {
-      const Vec3 margin = scene_.half() - scene_.vehicle().half - of.task.room;
-      model.around.head<2>() = model.around.cwiseMax(margin).head<2>() + spare;
+      if (metres > 0) model.around.head<2>() = model.around.cwiseMax(margin).head<2>() + spare;
     }
     for (const ProvedReturn& one : proved_returns(scene_, of.stages, wider)) {
       const Prism& region = one.sweep.region;

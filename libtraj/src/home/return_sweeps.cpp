@@ -20,13 +20,7 @@ constexpr double kSlowestLanding = 0.3;   // m/s, of both firmwares near the gro
 // All points within `by` metres of those along each axis.
 Plan widened(const Plan& plan, double by) {
   if (by == 0) return plan;
-  Plan out;
-  for (const Vec2& p : plan) {
-    for (const Vec2& corner : {Vec2(by, by), Vec2(-by, by), Vec2(-by, -by), Vec2(by, -by)}) {
-      out.push_back(p + corner);
-    }
-  }
-  return plan_hull(std::move(out));
+  return plan_sum(plan, {{-by, -by}, {by, -by}, {by, by}, {-by, by}});
 }
 
 Plan hull_of_both(Plan a, const Plan& b) {
@@ -259,6 +253,7 @@ Prism braking_region(const ReturnModel& model, const FlightStage& stage) {
   const double factor = braking_factor(model, fastest);
   double latest = 0;
   std::vector<Pace> paces;
+  Plan ways = {Vec2::Zero()};  // from any place of the stage
   for (const Velocity& v : stage.velocity) {
     const double speed = speed_at(model, v, begin);
     const double late = stage.legs.empty() ? 0 : lateness(model, v, begin, speed);
@@ -268,14 +263,13 @@ Prism braking_region(const ReturnModel& model, const FlightStage& stage) {
     const Vec2 along = v.value.head<2>().normalized();
     const double whole = speed * (factor + late) + model.stop_length;
     const double way = std::min(whole, way_to_rest(model, v, begin, speed));
-    for (const Vec2& p : begin) {
-      out.plan.push_back(p + along * way);
-      out.plan.push_back(p - along * (speed * model.overshoot_time));
-    }
+    ways.push_back(along * way);
+    ways.push_back(-along * (speed * model.overshoot_time));
   }
+  out.plan = plan_sum(begin, plan_hull(std::move(ways)));
   const double turned = one_way(stage.velocity) ? 0 : model.stop_length;
   const double beside = fastest > 0 ? model.overshoot + turned + model.sideways * fastest : 0;
-  out.plan = widened(plan_hull(std::move(out.plan)), beside);
+  out.plan = widened(out.plan, beside);
   out.low -= vertical_way(model, paces, -1, latest);
   out.high += vertical_way(model, paces, 1, latest);
   if (stage.stands_on)

@@ -47,6 +47,13 @@ Prism WayRoom::beyond(const Braking& from, const Vec3& to) const {
   return prism_around(places);
 }
 
+Prism WayRoom::beyond(const Vec3& a, const Vec3& b) const {
+  const double length = (b - a).norm();
+  if (length == 0) return prism_around(std::vector<Vec3>{b});
+  const std::vector<Vec3> places = {b, b + overshoot_ / length * (b - a)};
+  return prism_around(places);
+}
+
 bool WayRoom::joins(const Braking& from, const Vec3& to) const {
   if (!clear_join(scene_, from.region, to, from.stands_on)) return false;
   return overshoot_ == 0 || clear_region(scene_, beyond(from, to));
@@ -54,10 +61,7 @@ bool WayRoom::joins(const Braking& from, const Vec3& to) const {
 
 bool WayRoom::leg(const Vec3& a, const Vec3& b) const {
   if (!scene_.free(a, b)) return false;
-  const double length = (b - a).norm();
-  if (length == 0 || overshoot_ == 0) return true;
-  const std::vector<Vec3> places = {b, b + overshoot_ / length * (b - a)};
-  return clear_region(scene_, prism_around(places));
+  return a == b || overshoot_ == 0 || clear_region(scene_, beyond(a, b));
 }
 
 }  // namespace traj

@@ -25,9 +25,11 @@ class WayRoom {
   // The most that is overshot at a stop, m.
   double overshoot() const { return overshoot_; }
 
- private:
+  // What is overshot beyond a place, from anywhere in the region; and beyond the end of a leg.
   Prism beyond(const Braking& from, const Vec3& to) const;
+  Prism beyond(const Vec3& a, const Vec3& b) const;
 
+ private:
   const geom::CollisionScene& scene_;
   double overshoot_ = 0;
 };

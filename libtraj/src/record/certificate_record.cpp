@@ -57,7 +57,9 @@ std::string to_json_line(const CertificateRecord& record) {
 std::string return_certificate_line(const ReportRecord& report, const geom::BoxMap& map) {
   const ReturnReport& returns = *report.returns;
   JsonLine line;
-  line.add("type", "returns").add("id", report.id).add("of", report.checked);
+  const bool is_mission = !returns.way.empty();
+  line.add("type", "returns").add("id", report.id);
+  line.add("of", is_mission ? std::string_view("mission") : report.checked);
   add(line, report.provenance);
   if (report.by_time) {
     line.add("epoch", map.spec().epoch).add("start", report.time.start);
@@ -65,6 +67,7 @@ std::string return_certificate_line(const ReportRecord& report, const geom::BoxM
   line.add("bounds", std::tuple(map.spec().bounds.min, map.spec().bounds.max));
   line.add("action", returns.action).add("home", returns.home);
   line.add("duration", returns.duration);
+  if (is_mission) line.add("way", returns.way);
   line.add_json("autopilots", returns.reasons);
   return line.line();
 }

@@ -77,7 +77,7 @@ JsonLine object_of(const ExactResult& exact, const ReportRecord& record, const g
     line.add("time", exact.time).add("place", exact.place);
     add_box(line, exact.box, map);
   }
-  line.add("pieces", pieces(exact));
+  if (record.checked != kCheckedContingency) line.add("pieces", pieces(exact));
   if (record.checked == "trajectory") line.add("joints", joints(exact));
   return line;
 }

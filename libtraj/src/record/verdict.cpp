@@ -270,6 +270,12 @@ std::string flown_in_words(const FlightPathCheck& check, const FlightReport& rep
                      p.y(), p.z());
 }
 
+std::string ways_home_in_words(const ReportRecord& report) {
+  return fmt::format("ways home from every instant of {:.4g} s{}{}{}", report.result.duration,
+                     report.exact ? "; proved again in exact numbers" : "",
+                     report.detail.empty() ? "" : "; ", report.detail);
+}
+
 }  // namespace
 
 std::string fault_in_words(const CheckResult& result, const geom::BoxMap& map, const HeldTo& held) {
@@ -368,14 +374,11 @@ std::string_view verdict_word(const ReportRecord& report) {
 }
 
 std::string in_words(const ReportRecord& report, const geom::BoxMap& map) {
-  if (report.checked == kCheckedContingency) {
-    return accepted(report)
-               ? fmt::format("ways home from every instant of {:.4g} s{}{}", report.result.duration,
-                             report.detail.empty() ? "" : "; ", report.detail)
-               : report.detail;
+  const bool ways_home = report.checked == kCheckedContingency;
+  if (accepted(report)) {
+    return ways_home ? ways_home_in_words(report) : accepted_in_words(report);
   }
-  if (accepted(report)) return accepted_in_words(report);
-  if (!report.result.ok) return refused_in_words(report, map);
+  if (!report.result.ok) return ways_home ? report.detail : refused_in_words(report, map);
   if (!report.exact || report.exact->ok) return returns_in_words(*report.returns, map);
   return fmt::format(
       "the exact check refuses what the other accepts ({}); one of them is wrong: "

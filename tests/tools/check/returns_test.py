@@ -83,6 +83,18 @@ def proved(map_file, records, *options):
     return [(record, found[record["id"]]) for record in records if record["id"] in found]
 
 
+def proved_mission(name, file, export, *options):
+    """A mission that skyway-export writes, as the path that it is read as, with its certificate."""
+    write("p.jsonl", [path(name)])
+    tool("skyway-export", "m.boxmap", "p.jsonl", "-o", file, "--speed", "4", "-q", *export)
+    tool("skyway-import-trajectory", file, "--map", "m.boxmap", "--ground", "0", "-o", "in.jsonl")
+    tool("skyway-check", "m.boxmap", file, "--ground", "0", "--vehicle", "box:0.5,0.5,0.3", "--margin", "0.2", "--return", *options, "--return-height", "60",
+         "--no-least-height", "--certificate", "c.jsonl", "-o", "r.jsonl", "-q")
+    (certificate,) = (line for line in read("c.jsonl") if line["type"] == "returns")
+    assert certificate["of"] == "mission", certificate["of"]
+    return read("in.jsonl")[0], certificate
+
+
 def holds(record, certificate, box_map):
     try:
         verify(record, certificate, box_map)
@@ -178,7 +190,7 @@ def stand_high(certificate, record):
 def less_room(certificate, record):
     autopilot, _ = pick(certificate)
     axis = random.randrange(3)
-    autopilot["half"][axis] = (record["vehicle"]["half"][axis] + record["margin"]) * random.choice((0.5, 1))
+    autopilot["half"][axis] = (certificate["vehicle"]["half"][axis] + certificate["margin"]) * random.choice((0.5, 1))
 
 
 def no_autopilot(certificate, record):
@@ -220,7 +232,34 @@ def over_a_tower(certificate, record):
     sweep["low"] = 5
 
 
-TAMPERINGS = (drop_stage, shorten_stage, drop_climb, drop_descent, drop_braking, move_braking, lift_braking, lower_way, raise_way,
+def drop_leg(certificate, record):
+    """Of a mission: all from which a return begins at the middle of a leg."""
+    if certificate["of"] != "mission":
+        return False
+    autopilot, _ = pick(certificate)
+    at = random.randrange(len(certificate["way"]) - 1)
+    a, b = certificate["way"][at:at + 2]
+    middle = [(p + q) / 2 for p, q in zip(a, b)]
+    def reaches(stage):
+        sides = list(zip(*stage["where"]))
+        return all(min(side) - 1e-6 <= c <= max(side) + 1e-6 for side, c in zip(sides, middle))
+    autopilot["stages"] = [stage for stage in autopilot["stages"] if not reaches(stage)]
+
+
+def other_way(certificate, record):
+    if certificate["of"] != "mission":
+        return False
+    random.choice(certificate["way"][1:-1])[random.randrange(3)] += random.choice((-1, 1)) * 1e-3
+
+
+def shorter_way(certificate, record):
+    if certificate["of"] != "mission":
+        return False
+    certificate["way"] = certificate["way"][2:]
+
+
+OF_RECORDS = (drop_stage, shorten_stage, stand_high)  # stages of missions overlap, and what they stand on is only a hint
+TAMPERINGS = (drop_leg, other_way, shorter_way, drop_stage, shorten_stage, drop_climb, drop_descent, drop_braking, move_braking, lift_braking, lower_way, raise_way,
               widen_way, stand_high, less_room, no_autopilot, twice, other_map, other_bounds, home_in_the_air, elsewhere,
               other_action, over_a_tower)
 
@@ -258,10 +297,16 @@ for map_file in ("m.boxmap", "timed.boxmap"):
         cases += proved(map_file, flights, "--return", "hold")
         cases += proved(map_file, flights, "--return", "land", "--autopilot", "px4")
         cases += proved(map_file, [path(f"p{i}") for i in range(3)], "--return", "--return-height", "60", "--vmax", "4")
+        cases.append(proved_mission("rally", "m.plan", ("--format", "qgc-plan", "--rally=120,120,20", "--fence", "auto", "--autopilot", "px4:1.17",
+                                                        "--return-height", "60"), "--autopilot", "px4:1.17"))
+        cases.append(proved_mission("wpl", "m.waypoints", ("--format", "wpl",)))
+        cases.append(proved_mission("dji", "m.kmz", ("--format", "dji-wpml", "--aircraft", "m3e")))
     for record, certificate in cases:
         verify(record, certificate, box_map)
         count += 1
         for tampering in TAMPERINGS:
+            if certificate["of"] == "mission" and tampering in OF_RECORDS:
+                continue
             for _ in range(2):
                 changed = copy.deepcopy(certificate)
                 if tampering(changed, record) is False or changed == certificate:

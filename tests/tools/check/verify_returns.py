@@ -1,12 +1,13 @@
 """verify_returns.py RECORDS MAP.boxmap CERTIFICATES: follows in exact fractions why returns from every instant are clear.
 
-RECORDS are trajectories or paths, and CERTIFICATES what `skyway-check --return --certificate` wrote of them (JSON Lines).
+RECORDS are trajectories or paths (of a mission: as `skyway-import-trajectory` gives it), and CERTIFICATES what `skyway-check --return --certificate` wrote of them (JSON Lines).
 That each record itself is clear is verify_certificate.py's affair. Nothing is taken on trust: the regions of the returns
 are held against every box of the map, and their parts of the flight must be all of it. Exit 0 when all returns are shown to
 be clear; 1 when not, with the reason; 2 for wrong usage; 3 when a file cannot be read as what it should be.
 docs/certificates.md says what is checked, and what is not.
 """
 
+import itertools
 import json
 from fractions import Fraction as F
 
@@ -68,6 +69,46 @@ class Prism:
             if max(spans[0]) < min(spans[1]) or max(spans[1]) < min(spans[0]):
                 return False
         return True
+
+
+# ---- Hulls of places.
+
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def hull_faces(places):
+    """Normals along which to look at the hull of the places: each of its faces has one of them; if it is flat, so has each of its
+    edges. With each how far the hull reaches, and a hair more."""
+    ways = [tuple(y - x for x, y in zip(p, q)) for p, q in itertools.combinations(places, 2)]
+    normals = [(F(1), F(0), F(0)), (F(0), F(1), F(0)), (F(0), F(0), F(1))]
+    normals += [cross(way, axis) for way in ways for axis in normals[:3]]
+    level = [n for p, q, r in itertools.combinations(places, 3)
+             if any(n := cross(tuple(y - x for x, y in zip(p, q)), tuple(y - x for x, y in zip(p, r))))]
+    normals += level + [cross(way, level[0]) for way in ways if level]
+    out = []
+    for n in normals:
+        along = [sum(c * x for c, x in zip(n, p)) for p in places]
+        room = HAIR * sum(abs(c) for c in n)
+        if room:
+            out.append((n, min(along) - room, max(along) + room))
+    return out
+
+
+def part_between(faces, a, b):
+    """From which share of the way from a to b to which it is inside of the faces; nothing if it is not."""
+    begin, end = F(0), F(1)
+    for n, least, most in faces:
+        at, speed = sum(c * x for c, x in zip(n, a)), sum(c * (y - x) for c, x, y in zip(n, a, b))
+        if speed == 0:
+            if not least <= at <= most:
+                return None
+            continue
+        shares = sorted(((least - at) / speed, (most - at) / speed))
+        begin, end = max(begin, shares[0]), min(end, shares[1])
+        if begin > end:
+            return None
+    return begin, end
 
 
 # ---- The flight.
@@ -140,6 +181,24 @@ def require_all_legs(points, stages):
         require(reached >= 1 - spare, "nothing is said of the end of a leg")
 
 
+def require_mission(points, way, stages):
+    """That the way is the record's, with ascent and descent, and that each place of it is one from which a return begins."""
+    require(len(way) >= 2, "the way of the mission has no legs")
+    count = len(points)
+    # The ascent begins, and the descent ends, in the vertical; where there is none, the record's own points are the ends.
+    found = [i for i in range(len(way) - count + 1) if way[i:i + count] == points]
+    require(any(i <= 1 and i + count >= len(way) - 1 and (i == 0 or way[0][:2] == way[1][:2]) and
+                (i + count == len(way) or way[-1][:2] == way[-2][:2]) for i in found), "the way is not that of the record")
+    faces = [hull_faces(stage["where"]) for stage in stages]
+    for a, b in zip(way, way[1:]):
+        spans = [part_between(one, a, b) for one in faces]
+        reached = F(0)
+        for low, high in sorted(span for span in spans if span):
+            require(low <= reached, "nothing is said of a part of the way")
+            reached = max(reached, high)
+        require(reached >= 1, "nothing is said of the end of a leg")
+
+
 # ---- What is claimed of it.
 
 def ends_of(record):
@@ -154,6 +213,7 @@ def ends_of(record):
 
 class Claim:
     def __init__(self, record, certificate, box_map):
+        self.is_mission = certificate.get("of") == "mission"
         sides = [numbers(s, 3, "the bounds") for s in entries(certificate.get("bounds"), "the bounds of the certificate")]
         require(sides == list(box_map.bounds), "the certificate has other bounds than the map")
         asked = said_by(record, box_map, "the record", (), (box_map.hash, box_map.always_there))
@@ -163,6 +223,10 @@ class Claim:
         self.action = text(certificate, "action", "the certificate")
         require(self.action in ("rtl", "land", "hold"), f"the action {self.action!r} is not known")
         self.ends = ends_of(record)
+        if self.is_mission:
+            self.way = [fractions(numbers(p, 3, "a place of the way")) for p in entries(certificate.get("way"), "way")]
+            require(self.way, "the way is empty")
+            self.ends = [self.way[0], self.way[-1]]
         self.home = fractions(numbers(certificate.get("home"), 3, "home"))
         self.box_map = box_map
 
@@ -180,9 +244,11 @@ def is_below(places, low, high):
 
 
 def is_low_above_an_end(claim, stands, stage):
-    """Whether all of the stage is beside one end of the record, and not far above what it stands on."""
+    """Whether all of the stage is beside one end of the record, and not far above what it stands on; a mission may rise from there,
+    or come down to it."""
     def is_near(place, end):
-        return all(abs(place[i] - end[i]) <= BESIDE for i in (0, 1)) and stands <= place[2] <= stands + ABOVE
+        low = stands <= place[2] and (claim.is_mission or place[2] <= stands + ABOVE)
+        return low and all(abs(place[i] - end[i]) <= BESIDE for i in (0, 1))
     return any(all(is_near(place, end) for place in stage["where"]) for end in claim.ends)
 
 
@@ -192,8 +258,12 @@ def require_clear(claim, obstacles, half, group, prism, sweep, stage):
     places = group[-1][1].sides if sweep["phase"] in SINKS else stage["sides"]
     if stands is not None:
         stands = F(number(stands, "stands_on"))
-        require(stands == claim.home[2] if sweep["phase"] in SINKS else is_low_above_an_end(claim, stands, stage),
+        may = stands == claim.home[2] if sweep["phase"] in SINKS else is_low_above_an_end(claim, stands, stage)
+        require(may or claim.is_mission,
                 "only a way down to home's ground, and a flight low above its first or last place, may stand on something")
+        stands = stands if may else None  # of a mission: then it must be clear of all boxes
+    if stands is not None and sweep["phase"] not in SINKS:
+        require(prism.low >= stands, f"the {sweep['phase']} is below what it stands on")
     require(all(l + h <= side[0] and side[1] <= u - h for l, u, h, side in zip(low, high, half, prism.sides)) and
             prism.high <= high[2] - half[2] and (stands is not None or prism.low >= low[2] + half[2]),
             f"the {sweep['phase']} leaves the bounds")
@@ -242,7 +312,7 @@ def a_stage(one):
 def verify(record, certificate, box_map):
     """Raises Refused; else says what has been shown."""
     require(certificate.get("type") == "returns" and certificate.get("id") == record.get("id"), "it is no certificate of this record")
-    require(certificate.get("of") == record.get("type"), f"the certificate is of a {certificate.get('of')}")
+    require(certificate.get("of") in (record.get("type"), "mission" if record.get("type") == "path" else ""), f"the certificate is of a {certificate.get('of')}")
     claim = Claim(record, certificate, box_map)
     names = []
     for one in entries(certificate.get("autopilots"), "autopilots"):
@@ -261,12 +331,20 @@ def verify(record, certificate, box_map):
             curve, duration = curve_of(record)
             for stage in stages:
                 require_curve(curve, stage)
+        elif claim.is_mission:
+            points = [fractions(numbers(p, 3, "a point")) for p in entries(record.get("points"), "points")]
+            require_mission(points, claim.way, stages)
+            continue  # its times are estimates
         else:
             require_all_legs([fractions(numbers(p, 3, "a point")) for p in entries(record.get("points"), "points")], stages)
             duration = F(number(certificate.get("duration"), "duration", 0, LONGEST))
         require_all_times(stages, duration)
     require(names and len(set(names)) == len(names), f"the autopilots {names}")
-    return {"action": claim.action, "home": [float(c) for c in claim.home], "autopilots": names}
+    shown = {"action": claim.action, "home": [float(c) for c in claim.home], "autopilots": names}
+    if claim.is_mission:  # whether it was shown for the ways up from the ground and down to it
+        points = [fractions(p) for p in record["points"]]
+        shown |= {"ascent": claim.way[:len(points)] != points, "descent": claim.way[-len(points):] != points}
+    return shown
 
 
 def verify_files(record_file, map_file, certificate_file):

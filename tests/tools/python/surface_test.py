@@ -2,6 +2,7 @@
 
 import inspect
 import itertools
+import json
 import pathlib
 import pickle
 import pydoc
@@ -113,7 +114,8 @@ def native_signature(function):
 
 
 def test_signatures_are_those_of_the_compiled_part():
-    pairs = [(skyway.solve, _skyway.solve), (skyway.check, _skyway.check), (skyway.Planner.plan, _skyway.Planner.plan),
+    pairs = [(skyway.solve, _skyway.solve), (skyway.check, _skyway.check), (skyway.check_return, _skyway.check_return),
+             (skyway.ways_home, _skyway.ways_home), (skyway.check_ways_home, _skyway.check_ways_home), (skyway.Planner.plan, _skyway.Planner.plan),
              (skyway.Planner.plan_batch, _skyway.Planner.plan_batch),
              *((getattr(skyway.CollisionScene, name), getattr(_skyway.CollisionScene, name))
                for name in ("hits", "free", "sweep_hits", "nearest", "boxes_meeting"))]
@@ -157,6 +159,8 @@ def calls():
     yield skyway.solve, dict(scene=SCENE, path=PATH, limits={"vmax": 2, "amax": 2}, solver="closed", times="stops",
                              corridor="planes", rho=1e-3, yaw="along")
     yield skyway.check, dict(scene=SCENE, what=PATH, limits={"vmax": 2})
+    yield skyway.check_return, dict(scene=SCENE, what=PATH, action="hold", return_height=5.0, home_place=[1, 1, 0], limits={"vmax": 2},
+                                    autopilot="px4", navigation=[0.0, 0.0])
     yield skyway.export_mission, dict(scene=SCENE, what=PATH, format="wpl", origin=(47, 8, 400), ground=0.0, speed=2.0,
                                       autopilot="px4", navigation=(0.0, 0.0), spare=0.0)
     yield skyway.plot_plan, dict(map=ROOM, records=[PATH])
@@ -342,6 +346,32 @@ def test_trajectories_are_made():
     assert type(copy) is skyway.Path and copy.to_json() == path.to_json()
 
 
+def test_ways_home_hold(out):
+    field = skyway.BoxMap([[40, 40, 0, 50, 50, 20]], bounds=[[0, 0, 0], [200, 200, 80.0]])
+    scene = skyway.CollisionScene(field, "box:0.2,0.2,0.2", 1.0)
+    flight = skyway.Path([[60, 60, 30], [100, 60, 30]], id="f")
+    sites = pathlib.Path(out) / "pads.geojson"
+    sites.write_text(json.dumps({"type": "Feature", "properties": {"id": "pad"}, "geometry": {"type": "Point", "coordinates": [80, 120]}}))
+    asked = {"limits": {"vmax": 4}, "autopilot": "px4:1.17"}
+    ways = skyway.ways_home(scene, flight, sites, local=True, **asked)
+    assert ways and all(way["site"] == "pad" for way in ways), ways
+    report = skyway.check_ways_home(scene, flight, ways, **asked)
+    assert report["ok"] and report["checked"] == "contingency", report
+    touching = [{**ways[0], "points": [[45, 45, 10], *ways[0]["points"]]}, *ways[1:]]
+    assert skyway.check_ways_home(scene, flight, touching, **asked)["reason"] == "collision"
+    assert skyway.check_ways_home(scene, flight, [], **asked)["reason"] == "return"
+    returned = skyway.check_return(scene, flight, return_height=30, **asked)
+    assert returned["ok"] and returned["return"]["share"] == 1, returned
+    assert not skyway.check_return(scene, flight, return_height=10, home_place=[45, 45, 0], **asked)["ok"]
+    for call in (lambda: skyway.check_return(scene, flight), lambda: skyway.ways_home(scene, flight, sites, local=True)):
+        error = raised(call)
+        assert isinstance(error, skyway.UsageError) and 'limits["vmax"]' in str(error), error
+    other = [{**ways[0], "id": "g"}]
+    assert isinstance(raised(skyway.check_ways_home, scene, flight, other, **asked), skyway.InputError)
+    narrow = skyway.CollisionScene(field, "box:0.2,0.2,0.2", 0.1)
+    assert "margin" in str(raised(skyway.ways_home, narrow, flight, sites, local=True, **asked))
+
+
 def test_objects_show_themselves(objects):
     for one in objects:
         text = repr(one)
@@ -418,6 +448,7 @@ with tempfile.TemporaryDirectory() as folder:
     test_files_may_be_paths(folder)
     test_maps_are_made()
     test_trajectories_are_made()
+    test_ways_home_hold(folder)
     test_objects_show_themselves(everything)
     test_mypy_agrees()
 print("the module says what it does")

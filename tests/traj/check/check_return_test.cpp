@@ -168,6 +168,19 @@ TEST(CheckReturn, OfDjiNeedsAHeightAndASpeed) {
       check_return(scene_of({}), dji(5, {}), px4_flier(), {.action = ReturnAction::hold}).ok());
 }
 
+TEST(CheckReturn, OfDjiBeginsOnItsWayDownToo) {
+  FileFlight landing = dji(5, 60);
+  auto& mission = std::get<FlownMission>(landing.flown.way);
+  ASSERT_FALSE(mission.ends.landing_on);
+  mission.lands_below = false;
+  const double before = check_return(scene_of({}), landing, px4_flier(), {}).duration;
+  mission.lands_below = true;
+  const ReturnReport report = check_return(scene_of({}), landing, px4_flier(), {.reasons = true});
+  EXPECT_GT(report.duration, before + 1);
+  ASSERT_FALSE(report.way.empty()) << "for the certificate";
+  EXPECT_LT(report.way.back().z(), 1);
+}
+
 TEST(CheckReturn, RefusesFilesThatNoAutopilotReturnsFrom) {
   EXPECT_NE(
       refusal(file_of("tello", {FlownLegs{.path = {{0, 0, 5}, {9, 0, 5}}}}), {}).find("tello"),

@@ -97,7 +97,10 @@ TEST(CheckContingencies, HoldTheEnergyToo) {
   windy.rules.energy->capacity = 100 * 100;
   EXPECT_EQ(windy.check().reason, Reason::endurance);
   Case silent;
-  for (ContingencyRecord& record : silent.records) record.latest_departure.reset();
+  for (ContingencyRecord& record : silent.records) {
+    record.latest_departure.reset();
+    record.bounds_energy = false;
+  }
   EXPECT_EQ(silent.check().reason, Reason::endurance) << "a record that claims none";
   silent.rules.energy.reset();
   for (ContingencyRecord& record : silent.records) record.bounds_energy = false;

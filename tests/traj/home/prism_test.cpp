@@ -196,6 +196,45 @@ TEST(PrismAround, HoldsItsPointsAndNoMore) {
 }
 
 // Distances of random points of the plan bound both from the right sides.
+// Plans on a grid have parallel edges, lines and points, and sums without rounding.
+TEST(PlanSum, IsTheHullOfAllSums) {
+  Random random(6);
+  for (int i = 0; i < support::cases(3000); ++i) {
+    const bool grid = i % 2 == 0;
+    const auto plan = [&] {
+      std::vector<Vec2> points;
+      for (int k = 1 + random.below(7); k > 0; --k) {
+        points.emplace_back(grid ? Vec2(random.below(5), random.below(5))
+                                 : Vec2(random.uniform(-1, 1), random.uniform(-1, 1)));
+      }
+      return plan_hull(std::move(points));
+    };
+    const std::vector<Vec2> a = plan();
+    const std::vector<Vec2> b = plan();
+    std::vector<Vec2> sums;
+    for (const Vec2& p : a) {
+      for (const Vec2& q : b) sums.push_back(p + q);
+    }
+    ASSERT_EQ(plan_sum(a, b), plan_hull(sums)) << "case " << i;
+  }
+}
+
+TEST(PlanSum, KeepsTheEndsOfAllButParallelLines) {
+  for (const double aside : {0.0, 1e-17, 1e-16, 1e-15, 1e-12}) {
+    for (const Vec2& end : {Vec2(3, 1 + aside), Vec2(-3, 1 + aside), Vec2(aside, 2)}) {
+      const auto sum = plan_sum(plan_hull({{0, 0}, {3, 1}}), plan_hull({{0, 0}, end}));
+      const auto holds = [&](const Vec2& p) {
+        return std::find(sum.begin(), sum.end(), p) != sum.end();
+      };
+      EXPECT_TRUE(holds(Vec2(3, 1) + end) || end.x() <= 0) << end.transpose();
+      EXPECT_NEAR(furthest(sum, {0, 0}), furthest({{0, 0}, {3, 1}, end, Vec2(3, 1) + end}, {0, 0}),
+                  1e-12);
+      EXPECT_NEAR(furthest(sum, {9, 3}), furthest({{0, 0}, {3, 1}, end, Vec2(3, 1) + end}, {9, 3}),
+                  1e-12);
+    }
+  }
+}
+
 TEST(PlanDistance, IsBetweenTheNearestAndTheFurthestPoint) {
   Random random(4);
   for (int i = 0; i < support::cases(500); ++i) {

@@ -9,6 +9,7 @@ from ._skyway import __version__
 from .box_map import BoxMap, read_box_map, write_box_map
 from .collision import CollisionScene
 from .flight_log import FlightLog, read_flight_logs
+from .home import check_return, check_ways_home, ways_home
 from .imports import import_boxes, import_cloud, import_footprints, import_model
 from .lattice import Lattice, read_lattice
 from .mission import export_mission
@@ -23,10 +24,10 @@ from .vehicle import Vehicle
 
 __all__ = [
     "BoxMap", "CollisionScene", "FlightLog", "InputError", "Lattice", "Page", "Path", "Picture", "Planner", "Roadmap",
-    "Trajectory", "UsageError", "Vehicle", "__version__", "check", "export_mission", "import_boxes", "import_cloud",
+    "Trajectory", "UsageError", "Vehicle", "__version__", "check", "check_return", "check_ways_home", "export_mission", "import_boxes", "import_cloud",
     "import_footprints", "import_model", "page", "plot_clearance", "plot_plan", "plot_profile", "plot_tracking", "read_box_map",
     "read_flight_logs", "read_lattice", "read_paths", "read_queries", "read_reports", "read_roadmap", "read_trajectories",
-    "solve", "write_box_map", "write_paths", "write_trajectories"
+    "solve", "ways_home", "write_box_map", "write_paths", "write_trajectories"
 ]
 
 for _name in __all__:  # messages and pickles say skyway.Path

@@ -26,6 +26,7 @@ struct RecordRules {
   std::optional<Limits> of_vehicle = {};  // in place of those of the scene's vehicle
   bool override_record = false;           // `asked` may be looser than what a record carries
   bool exact = false;                     // check once more in exact numbers
+  bool exact_if_straight = false;         // of drone files: only those of straight legs alone
   bool stands = false;                    // on its pads before and after, where boxes have times
   Clearance clearance = Clearance::measured;  // in the report
 };
@@ -42,7 +43,8 @@ ReportRecord check_record(const geom::CollisionScene& scene, const geom::PathRec
                           const RecordRules& rules, std::string_view source, std::size_t line);
 
 // The report of what a vehicle flies when it gets a file; `flier` is the one that the file was read
-// for. Throws UsageError if `rules.exact` is set and the file is not of straight legs alone.
+// for. Throws UsageError if `rules.exact` is set, `rules.exact_if_straight` is not, and the file is
+// not of straight legs alone.
 ReportRecord check_record(const geom::CollisionScene& scene, const FileFlight& file,
                           const Flier& flier, const RecordRules& rules);
 

@@ -25,6 +25,7 @@ struct HomeFlight {
   geom::Provenance provenance;
   std::vector<FlightStage> stages;  // empty: there is no flight
   std::string without = {};         // why not, in words
+  std::string kind = "trajectory";  // the type of its record, or "path"
 
   // One for each stage.
   std::vector<Vec3> places() const;

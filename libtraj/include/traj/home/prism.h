@@ -32,6 +32,10 @@ struct Prism {
 // Andrew, "Another efficient algorithm for convex hulls in two dimensions" (1979).
 std::vector<Vec2> plan_hull(std::vector<Vec2> points);
 
+// All sums of a point of the one and a point of the other convex plan, each as plan_hull() makes
+// it: their Minkowski sum, as plan_hull() makes it.
+std::vector<Vec2> plan_sum(const std::vector<Vec2>& a, const std::vector<Vec2>& b);
+
 // The smallest that holds these points; at least one.
 Prism prism_around(std::span<const Vec3> points);
 

@@ -44,6 +44,7 @@ struct ReturnReport {
   bool least_sought = false;                // whether it was looked for:
   std::optional<double> least_height = {};  // m above home with which there is no gap
   std::string reasons = {};                 // JSON (return_reasons), where they are asked for
+  std::vector<geom::Vec3> way = {};         // beside these, of a mission: with ascent and descent
 
   // If there is none: the least height at which returns are proved for as long as at any that the
   // bounds allow, and that share.
