@@ -37,7 +37,7 @@ constexpr Page kPages[] = {
     {"skyway-fly",
      "skyway-import data/downtown.csv | skyway-fly - data/samples/trajectories.jsonl --vehicle "
      "quad2kg --wind 2,0,0 -o flight.csv",
-     "--output --report-file --proved-tube --clear-tube --vehicle --margin --wind --gusts --noise "
+     "--output --report-file --proved-tube --vehicle --margin --wind --gusts --noise "
      "--controller "
      "--gains "
      "--runs --tune --seed --threads"},
