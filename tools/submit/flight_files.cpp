@@ -18,7 +18,8 @@
 namespace submitting {
 namespace {
 
-constexpr std::size_t kHeld = 64;  // flights at a time
+constexpr std::size_t kHeld = 64;     // flights at a time
+constexpr std::size_t kMostTold = 5;  // refusals, on stderr
 constexpr const char* kWritten = "what was written";
 
 }  // namespace
@@ -59,7 +60,7 @@ FlightFiles::Made FlightFiles::make(const cli::SubmittedFlight& one,
 
 void FlightFiles::take(Made made, const std::string& source) {
   if (!made.refusal.empty()) {
-    ++refused_;
+    if (++refused_ > kMostTold) return;
     cli::complain("skyway-submit", fmt::format("{}: refused: {}", made.id, made.refusal));
     return;
   }

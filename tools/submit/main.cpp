@@ -10,6 +10,7 @@
 #include "flight_files.h"
 #include "geom/text/counted.h"
 #include "options.h"
+#include "people.h"
 #include "submission_folder.h"
 #include "traj/submit/summary_page.h"
 #include "view_page.h"
@@ -64,12 +65,15 @@ int main(int argc, char** argv) {
     flights.write();
     if (flights.refused() > 0) {
       cli::complain("skyway-submit",
-                    fmt::format("{} of {} were refused: no folder was made", flights.refused(),
+                    fmt::format("{} of {} refused: no folder was made", flights.refused(),
                                 geom::counted(flights.refused() + flights.count(), "flight")));
       return cli::Exit::no;
     }
     submission.flights = flights.count();
     submission.missions = flights.missions();
+    if (!options.population.empty()) {
+      submitting::count_people(options.population, flights, submission, folder);
+    }
     write_claims(flights.claims(), folder);
     folder.add("submission.json", traj::to_json_line(submission));
     folder.add("summary.html", traj::summary_page(operation, submission, flights.claims()));

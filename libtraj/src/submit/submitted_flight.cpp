@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "geom/collision/collision.h"
 #include "traj/home/off_nominal.h"
@@ -15,8 +16,7 @@ SubmittedFlight::SubmittedFlight(const geom::CollisionScene& scene, const Submis
 std::string SubmittedFlight::refusal() const {
   if (!accepted(report_)) return "its check refuses it";
   if (const auto why = why_no_times()) return *why;
-  const auto& speed = report_.limits[Limit::speed];
-  if (!speed) return "no limit on its speed is proved, which its volumes need: give --vmax";
+  if (!speed()) return "no limit on its speed is proved, which its volumes need: give --vmax";
   if (const auto& energy = method_.energy; energy && duration() > flying_time(*energy)) {
     return fmt::format(
         "it takes {:.1f} s, and the battery lasts {:.1f} s until only its reserve "
@@ -30,8 +30,22 @@ std::string SubmittedFlight::refusal() const {
   return "";
 }
 
+std::optional<double> SubmittedFlight::speed() const {
+  const std::vector<Limit> open = not_measured(report_.result, report_.limits);
+  const auto kept = [&](Limit limit) -> std::optional<double> {
+    if (std::find(open.begin(), open.end(), limit) != open.end()) return std::nullopt;
+    return report_.limits[limit];
+  };
+  const auto across = kept(Limit::horizontal_speed);
+  const auto vertical = kept(Limit::vertical_speed);
+  std::optional<double> out = kept(Limit::speed);
+  if (!across || !vertical) return out;
+  const double both = std::sqrt(*across * *across + *vertical * *vertical) * (1 + 1e-15);
+  return out ? std::min(*out, both) : both;
+}
+
 RiskTask SubmittedFlight::risk_task() const {
-  return {method_.risk, *report_.limits[Limit::speed], method_.floor, method_.origin};
+  return {method_.risk, *speed(), method_.floor, method_.origin};
 }
 
 FlightClaims SubmittedFlight::claims(const geom::IntentVolumes& intent,
@@ -46,7 +60,7 @@ FlightClaims SubmittedFlight::claims(const geom::IntentVolumes& intent,
   out.ends = ends();
   out.duration = duration();
   if (report_.result.clearance) out.clearance = report_.result.clearance->value;
-  out.speed = *report_.limits[Limit::speed];
+  out.speed = *speed();
   out.contingency = contingency_size(method_.risk, out.speed);
   out.top = 0;
   for (const geom::Volume4d& volume : intent.nominal) {

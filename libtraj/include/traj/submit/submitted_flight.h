@@ -52,6 +52,8 @@ class SubmittedFlight {
   virtual std::string_view kind() const = 0;
   virtual double duration() const = 0;  // s
 
+  // m/s that it never exceeds, by its proved limits: on the speed, or on both of its parts.
+  std::optional<double> speed() const;
   RiskTask risk_task() const;
   // The claims that follow from the volumes as they were read; paths and people are left open.
   FlightClaims claims(const geom::IntentVolumes& intent, const RiskVolumes& risk) const;
