@@ -20,6 +20,7 @@
 #include "geom/base/in_order.h"
 #include "geom/text/counted.h"
 #include "geom/text/json_line.h"
+#include "traj/mission/firmware/autopilot.h"
 #include "traj/record/verdict.h"
 #include "traj/submit/manifest.h"
 #include "traj/submit/operation.h"
@@ -153,6 +154,9 @@ class Folder {
         method.endurance != operation_.uas.endurance) {
       return Refusal{"submission.json",
                      "its dimension and endurance are not those of the operation"};
+    }
+    if (!traj::autopilots_of(method.autopilot)) {
+      return Refusal{"submission.json", "it names an autopilot that nobody knows"};
     }
     if (submission_.flights != claims_.size()) {
       return Refusal{"submission.json", fmt::format("it names {} flights, and claims.jsonl {}",

@@ -24,13 +24,15 @@ JsonLine json_of(const RiskRules& rules) {
   JsonLine out;
   out.add("contingency", geom::word_of(kContingencyWords, rules.contingency))
       .add("buffer", geom::word_of(kBufferWords, rules.buffer))
-      .add("dimension", rules.dimension)
-      .add("position_error", rules.position_error)
-      .add("holding_error", rules.holding_error)
-      .add("map_error", rules.map_error)
-      .add("altitude_error", rules.altitude_error)
-      .add("reaction", rules.reaction)
-      .add("tilt", rules.tilt);
+      .add("dimension", rules.dimension);
+  if (rules.contingency == ContingencyRule::stop) {
+    out.add("position_error", rules.position_error)
+        .add("holding_error", rules.holding_error)
+        .add("map_error", rules.map_error)
+        .add("altitude_error", rules.altitude_error)
+        .add("reaction", rules.reaction)
+        .add("tilt", rules.tilt);
+  }
   out.add("formulas", formulas(rules), [](const RiskFormula& one) {
     return JsonLine().add("of", one.what).add("formula", one.formula).add("source", one.source);
   });
@@ -41,8 +43,7 @@ JsonLine json_of(const Energy& energy) {
   return std::move(JsonLine()
                        .add("capacity", energy.capacity)
                        .add("power", energy.power)
-                       .add("reserve", energy.reserve)
-                       .add("wind", energy.wind));
+                       .add("reserve", energy.reserve));
 }
 
 JsonLine json_of(const SourceFile& file) {
@@ -136,6 +137,7 @@ RiskRules read_rules(const JsonFields& fields) {
   out.contingency = fields.word("contingency", kContingencyWords, ContingencyRule::stop);
   out.buffer = fields.word("buffer", kBufferWords, BufferRule::one_to_one);
   out.dimension = number(fields, "dimension", 0, kFar);
+  if (out.contingency == ContingencyRule::ways_home) return out;
   out.position_error = number(fields, "position_error", 0, kFar);
   out.holding_error = number(fields, "holding_error", 0, kFar);
   out.map_error = number(fields, "map_error", 0, kFar);
@@ -147,7 +149,7 @@ RiskRules read_rules(const JsonFields& fields) {
 
 Energy read_energy(const JsonFields& fields) {
   return {number(fields, "capacity", 1e-9, 1e15), number(fields, "power", 1e-9, 1e9),
-          number(fields, "reserve", 0, 1 - 1e-9), number(fields, "wind", 0, 1e3)};
+          number(fields, "reserve", 0, 1 - 1e-9)};
 }
 
 SubmissionMethod read_method(const JsonFields& fields, std::string_view source) {

@@ -57,10 +57,14 @@ SubmittedMission::SubmittedMission(const geom::CollisionScene& scene, const File
     : SubmittedFlight(scene, method) {
   report_ = check_record(scene, file, flier, {.asked = method.limits});
   const FlownMission* mission = mission_of(file.flown);
-  is_mission_ = mission && mission->home && !mission->drift.empty();
+  is_mission_ = mission && mission->home && (!mission->drift.empty() || mission->speed);
   if (!is_mission_) return;
   mission_ = *mission;
   mission_.path_stray += file.flown.navigation;
+  if (mission->drift.empty()) {  // of DJI: on its way, with turns that are swept
+    seconds_ = seconds_of({stages_of(*mission, *mission->speed)});
+    return;
+  }
   const FlightReturn of = flight_return(*mission, flier, method.return_height);
   seconds_ = seconds_of(of.stages);
   if (method.risk.contingency == ContingencyRule::ways_home) return_ = of;
@@ -68,8 +72,12 @@ SubmittedMission::SubmittedMission(const geom::CollisionScene& scene, const File
 
 std::optional<std::string> SubmittedMission::why_no_times() const {
   if (!is_mission_) {
-    return "it is no mission of which the places of an autopilot are known: make a trajectory of "
-           "it (skyway-import-trajectory)";
+    return "it is no mission of which home, and the places of an autopilot or a speed, are known: "
+           "make a trajectory of it (skyway-import-trajectory)";
+  }
+  if (method_.risk.contingency == ContingencyRule::ways_home && !return_) {
+    return "the volumes of a return are made for missions of PX4 and ArduPilot alone: leave "
+           "--contingency return out";
   }
   if (mission_.returns) {
     return "it ends with a return whose way is not known: say how high it returns "

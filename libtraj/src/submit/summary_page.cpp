@@ -138,9 +138,9 @@ class Page {
     }
     if (has_kind("mission")) {
       item(
-          "Every mission file is clear of every obstacle of the map wherever the autopilot may "
-          "be while it flies the file, by the model of the firmware. Its volumes hold all of "
-          "these places.");
+          "Every mission file is clear of every obstacle of the map wherever the vehicle may be "
+          "while it flies the file: by the model of the autopilot's firmware, or on its way and in "
+          "its turns where the file is DJI's. Its volumes hold all of these places.");
     }
     if (method_.risk.contingency == ContingencyRule::ways_home) {
       item("The off-nominal volumes hold every return of the autopilot, from every instant.");
@@ -188,6 +188,7 @@ class Page {
         "No wind carries the vehicle out of the contingency volume, or farther while it comes "
         "down.");
     if (has_kind("mission")) {
+      item(mission_reading());
       item(fmt::format("Missions are flown between {} and {}. Their durations are estimates.",
                        method_.begins.value_or(""), method_.ends.value_or("")));
     }
@@ -199,13 +200,29 @@ class Page {
     out_ += "</ul>\n";
   }
 
+  // What decides where an autopilot may be, and is in no file.
+  std::string mission_reading() const {
+    std::string out = fmt::format(
+        "Missions are flown by an autopilot ({}) with the parameters of its firmware, an airframe "
+        "with a drag over its mass of {:g} 1/s, and sea level {:g} m above the ellipsoid",
+        method_.autopilot, method_.drag.value_or(0), method_.geoid);
+    if (method_.ground) out += fmt::format(", from ground at {:g} m", *method_.ground);
+    if (method_.navigation) {
+      out += fmt::format(
+          ", which is wrong about its place by at most {:g} m across and {:g} m up or down",
+          method_.navigation->across, method_.navigation->vertical);
+    }
+    return out + ".";
+  }
+
   void assume_manoeuvre() {
     const RiskRules& rules = method_.risk;
     if (rules.contingency == ContingencyRule::ways_home) {
       item(fmt::format(
-          "If something goes wrong, the autopilot ({}) returns as its firmware's "
-          "model says{}.",
-          method_.autopilot,
+          "If something goes wrong, the autopilot ({}) returns as its firmware's model says, with "
+          "a "
+          "drag over its mass of {:g} 1/s{}.",
+          method_.autopilot, method_.drag.value_or(0),
           method_.return_height ? fmt::format(", {:g} m above home", *method_.return_height)
                                 : std::string()));
       double least = 1;

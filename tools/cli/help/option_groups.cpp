@@ -31,7 +31,8 @@ constexpr Group kGroups[] = {
      "--noise-points --unknown --allow-skipped --collisions-only import-trajectory--gap=METRES "
      "--resolution=METRES --scale=FACTOR --all --verify --join"},
     {"Output",
-     "-o --output check--report=WORD --report-file --json --degrees --profile "
+     "-o --output query--grid query--cell=METRES --at-height=METRES check--report=WORD "
+     "--report-file --json --degrees --profile "
      "--profile-step=LENGTH --junit --certificate "
      "--tree --corridor-file --python --table --show --unchecked --no-clearance --resample=METRES "
      "export--rate=HERTZ export--axes --wpml-version --aircraft --hover --turns=METRES --lost-link "
