@@ -135,6 +135,12 @@ class Folder {
       if (!known.contains(name)) return Refusal{name, "no part of such a folder has that name"};
     }
     if (has("page.html")) not_verified_.push_back("page.html");
+    if (submission_.population) {
+      not_verified_.push_back("that population.csv is of " + submission_.population->name);
+    }
+    for (const traj::SourceFile& zone : submission_.zones) {
+      not_verified_.push_back("the zones of " + zone.name);
+    }
     return std::nullopt;
   }
 

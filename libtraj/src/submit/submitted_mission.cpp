@@ -83,6 +83,10 @@ std::optional<std::string> SubmittedMission::why_no_times() const {
     return "it ends with a return whose way is not known: say how high it returns "
            "(--return-height)";
   }
+  if (!mission_.rally.empty()) {
+    return "it ends at home or at one of its rally points, and volumes are made for one end: leave "
+           "the return at its end out, or its rally points";
+  }
   if (!method_.begins || !method_.ends) {
     return "a mission has no times: say from when until when it is flown (--between)";
   }
@@ -101,8 +105,14 @@ std::vector<SubmittedMission::Region> SubmittedMission::regions() const {
     }
   }
   for (const Sweep& sweep : mission_.sweeps) out.push_back({sweep.hull, planned});
+  Vec3 most = planned;
   for (const Drift& drift : mission_.drift) {
+    most = most.cwiseMax(planned + drift.around);
     for (const Sweep& sweep : drift.sweeps) out.push_back({sweep.hull, planned + drift.around});
+  }
+  // Where it comes to the ground on its way.
+  for (const Vec3& place : mission_.touches) {
+    out.push_back({{place, Vec3(place.x(), place.y(), mission_.home->z())}, most});
   }
   return out;
 }

@@ -1,7 +1,6 @@
 #pragma once
 
-// Where a vehicle may be above the ground, cell by cell: free heights, and the distance to
-// obstacles.
+// Free heights and distances to obstacles that hold for whole cells of a grid.
 //
 // Example:
 //   const geom::CellGrid2 grid{.corner = {0, 0}, .cell = 2, .columns = 5, .rows = 5};

@@ -3,9 +3,12 @@
 // Risk volumes of one flight as GeoJSON: written for maps, and read back to be proved.
 //
 // Example:
-//   const traj::RiskVolumes risk = traj::risk_volumes({{zone}, {}}, {.origin = {47.4, 8.5, 400}},
-//   "q1"); const std::string text = traj::risk_geojson("q1", {{zone}, {}}, risk);
-//   assert(traj::read_risk_geojson(text, "q1.geojson").buffers.size() == risk.buffers.size());
+//   geom::Volume4d zone = traj::volume_around({{{0, 0}, {80, 0}, {80, 30}}, 0, 60}, {47.4, 8.5,
+//   400}, "q1"); zone.start = "2026-05-04T06:30:00Z"; zone.end = "2026-05-04T06:40:00Z"; const
+//   geom::IntentVolumes intent{{zone}, {}}; const traj::RiskTask task{.rules = {.dimension = 0.7},
+//   .speed = 10, .origin = {47.4, 8.5, 400}}; const traj::RiskVolumes risk =
+//   traj::risk_volumes(intent, task, "q1"); const std::string text = traj::risk_geojson("q1",
+//   intent, risk); assert(traj::read_risk_geojson(text, "q1.geojson").id == "q1");
 
 #include <string>
 #include <string_view>

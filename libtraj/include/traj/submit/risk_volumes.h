@@ -4,9 +4,11 @@
 //
 // Example:
 //   geom::Volume4d zone = traj::volume_around({{{0, 0}, {80, 0}, {80, 30}}, 0, 60}, {47.4, 8.5,
-//   400}, "q1"); const traj::RiskTask task{.rules = {.dimension = 0.7}, .speed = 10, .origin =
-//   {47.4, 8.5, 400}}; const traj::RiskVolumes risk = traj::risk_volumes({{zone}, {}}, task, "q1");
-//   assert(risk.buffers.size() == 1 && !traj::why_risk_not_held({{zone}, {}}, risk, task, "q1"));
+//   400}, "q1"); zone.start = "2026-05-04T06:30:00Z"; zone.end = "2026-05-04T06:40:00Z"; const
+//   geom::IntentVolumes intent{{zone}, {}}; const traj::RiskTask task{.rules = {.dimension = 0.7},
+//   .speed = 10, .origin = {47.4, 8.5, 400}}; const traj::RiskVolumes risk =
+//   traj::risk_volumes(intent, task, "q1"); assert(!traj::why_risk_not_held(intent, risk, task,
+//   "q1"));
 
 #include <optional>
 #include <string>
@@ -15,6 +17,7 @@
 
 #include "geom/map/frame.h"
 #include "geom/record/volume4d.h"
+#include "traj/mission/airspace/volume_around.h"
 #include "traj/submit/risk_rules.h"
 
 namespace traj {

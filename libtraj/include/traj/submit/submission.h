@@ -3,7 +3,7 @@
 // A folder for an authority as records: how it was made, and what it claims of each flight.
 //
 // Example:
-//   traj::Submission submission{.made_by = "skyway 0.1"};
+//   traj::Submission submission{.made_by = "skyway 0.1", .flights = 1};
 //   submission.method.origin = {47.4, 8.5, 400};
 //   const std::string text = traj::to_json_line(submission);
 //   assert(traj::read_submission(text, "submission.json").method.origin.height == 400);

@@ -10,7 +10,7 @@
 //   traj::SubmissionMethod method{.origin = {47.4, 8.5, 400}};
 //   method.risk.dimension = 0.7;
 //   const traj::SubmittedTrajectory flight(scene, record, method, {}, "t.jsonl", 1);
-//   if (flight.refusal().empty()) std::cout << flight.volumes_json(flight.intent());
+//   if (flight.refusal().empty()) std::cout << traj::volumes_json(flight.intent());
 
 #include <memory>
 #include <optional>
