@@ -17,7 +17,7 @@ TEST(RiskRules, TheStopIsTheFormula) {
     EXPECT_GE(size.across, across * (1 - 1e-15));
     EXPECT_NEAR(size.across, across, 1e-9 * across);
     EXPECT_GE(size.vertical, vertical);
-    EXPECT_NEAR(size.vertical, vertical, 1e-3);
+    EXPECT_NEAR(size.vertical, vertical, 1e-4 * v + 1e-9);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "geom/base/error.h"
 #include "geom/map/geographic_frame.h"
 #include "traj/mission/airspace/volume_around.h"
 #include "traj/submit/risk_geojson.h"
@@ -93,7 +94,11 @@ TEST(RiskVolumes, AreRefusedWhereTheyAreTooSmallOrTooShort) {
   const auto refused = [&](auto change) {
     traj::RiskVolumes bad = good;
     change(bad);
-    return traj::why_risk_not_held(around, bad, task(), "test").has_value();
+    try {
+      return traj::why_risk_not_held(around, bad, task(), "test").has_value();
+    } catch (const geom::InputError&) {
+      return true;  // no volume at all: its edges cross
+    }
   };
   EXPECT_TRUE(refused([](auto& bad) { *bad.contingency[0].upper -= 1; }));
   EXPECT_TRUE(refused([](auto& bad) { *bad.contingency[1].lower += 1; }));
