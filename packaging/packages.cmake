@@ -55,7 +55,9 @@ roadmaps, those give paths, and paths become minimum-snap trajectories that
 are proved free of collision and inside the vehicle's limits, and are written
 in the form that the drone reads. Every step is a command-line tool.")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "${skyway_loaded}")
-set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "skyway-footprints, skyway-cloud, skyway-mesh, python3-skyway, make, slurm-client")
+# Loaded for the few options that read or write files of GIS programs.
+set(skyway_loaded_if_there libgdal32)
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "${skyway_loaded_if_there}, skyway-footprints, skyway-cloud, skyway-mesh, python3-skyway, make, slurm-client")
 
 skyway_package(development libskyway-dev libdevel "libraries of the Skyway toolkit
 Headers and static libraries of what the tools are made of: box maps and exact

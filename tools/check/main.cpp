@@ -13,6 +13,7 @@
 #include "cli/tell.h"
 #include "contingencies.h"
 #include "flight_logs.h"
+#include "folder.h"
 #include "geom/record/agreed_room.h"
 #include "geom/record/named_map.h"
 #include "report_output.h"
@@ -71,7 +72,9 @@ struct Options {
 };
 
 void Options::add_to(CLI::App& app) {
-  app.add_option("map", map, "box map; - for stdin")->required();
+  app.add_option("map", map,
+                 "box map, - for stdin; or a folder of skyway-submit, which is checked whole")
+      ->required();
   app.add_option("file", input,
                  "trajectories, paths, a drone file or a flight log (default: stdin)");
   report.add_to(app);
@@ -269,6 +272,9 @@ int main(int argc, char** argv) {
     cli::at_most_one_stdin({options.map, options.input, options.drone_file.autopilot.params,
                             options.flights.plan(), options.flights.tube(),
                             options.together.moving().file(), options.contingencies.file()});
+    if (checking::is_folder(app, options.map)) {
+      return checking::check_folder(common, options.map, options.report.file());
+    }
     refuse_together(options, sharding.asked());
     const geom::BoxMap map = cli::open_map(options.map, geom::Verified::contents);
     cli::InputFile file(options.input);

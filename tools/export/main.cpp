@@ -10,6 +10,7 @@
 #include "cli/tell.h"
 #include "exporter.h"
 #include "flight.h"
+#include "geopackage.h"
 #include "options.h"
 #include "outputs.h"
 #include "show.h"
@@ -131,9 +132,10 @@ int main(int argc, char** argv) {
     options.require_sound(app);
     options.settle();
     Outputs outputs(options);
-    const bool all = outputs.each() || !options.show.empty();
+    const bool all = outputs.each() || !options.show.empty() || options.is_geopackage();
     const auto flights = exporting::read_flights(options.input(), options.id, all);
     Exporter exporter(common, options);
+    if (options.is_geopackage()) return export_geopackage(common, options, exporter, flights);
     return options.show.empty() ? export_files(common, options, outputs, exporter, flights)
                                 : export_show(common, options, exporter, flights);
   });

@@ -19,7 +19,8 @@ namespace exporting {
 namespace {
 
 void refuse_idle(const CLI::App& app, const std::string& word, bool unchecked) {
-  cli::require_used(app, cli::file_option_rows(&traj::MissionFormat::writes_with), word,
+  const std::string as = word == "gpkg" ? "geojson" : word;
+  cli::require_used(app, cli::file_option_rows(&traj::MissionFormat::writes_with), as,
                     "--format is " + word);
   cli::only_for(app, !unchecked, {"--margin", "--spare", "--metres", "--navigation", "--tracking"},
                 "an export that is checked");
@@ -35,7 +36,9 @@ void require_flyable(const traj::MissionFormat& format, const std::optional<doub
 
 std::vector<std::string> format_words() {
   const auto words = traj::written_mission_words();
-  return {words.begin(), words.end()};
+  std::vector<std::string> out(words.begin(), words.end());
+  out.emplace_back("gpkg");
+  return out;
 }
 
 }  // namespace

@@ -40,7 +40,10 @@ struct Options {
   std::string source() const { return input() == "-" ? "stdin" : input(); }  // for messages
   std::size_t map_files() const { return unchecked ? 0 : 1; }
 
-  const traj::MissionFormat& format() const { return *traj::mission_format_named(word); }
+  bool is_geopackage() const { return word == "gpkg"; }
+  const traj::MissionFormat& format() const {
+    return *traj::mission_format_named(is_geopackage() ? "geojson" : word);
+  }
 
   // Must outlive the app.
   void add_to(CLI::App& app);

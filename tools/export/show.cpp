@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "cli/file/new_folder.h"
 #include "geom/text/counted.h"
 #include "geom/text/output_names.h"
-#include "show_folder.h"
 #include "traj/curve/to_enu.h"
 #include "traj/mission/show.h"
 
@@ -44,7 +44,7 @@ class Show {
   }
 
   void save() const {
-    ShowFolder folder(options_.show);
+    cli::NewFolder folder(options_.show, "--show");
     for (std::size_t i = 0; i < acts_.size(); ++i) folder.add(acts_[i].file, texts_[i]);
     folder.add("show.yaml", traj::show_yaml(acts_, {.checked = !options_.unchecked,
                                                     .spacing = options_.spacing,
@@ -91,7 +91,7 @@ class Show {
 
 cli::Exit export_show(const cli::Common& common, const Options& options, Exporter& exporter,
                       std::span<const Flight> flights) {
-  require_free(options.show);
+  cli::require_free(options.show, "--show");
   Show show(common, options, exporter);
   const std::size_t refused = show.make(flights);
   const bool apart = refused == 0 && (options.unchecked || show.apart());

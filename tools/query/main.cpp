@@ -11,6 +11,7 @@
 #include "geom/base/error.h"
 #include "geom/base/parallel.h"
 #include "geom/record/scene_answers.h"
+#include "grid.h"
 
 namespace {
 
@@ -101,16 +102,25 @@ int main(int argc, char** argv) {
       "\"segment\":[[…],[…]] "
       "(\"planes\":REACH, \"empty_box\":REACH), \"box\":[[min],[max]] or "
       "\"sweep\":[[…],[…]] with \"half\":[x,y,z] (default: stdin)");
-  cli::add_output(app, "-o,--output", output, "answers (default: stdout)");
+  cli::add_output(app, "-o,--output", output,
+                  "answers, or the GeoTIFF of --grid (default: stdout)");
   metres.add_to(app);
   app.add_flag("--degrees", degrees, "answer points with their latitude and longitude");
   vehicle.add_to(app);
   vehicle.add_memory_to(app);
+  querying::Grid grid;
+  grid.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
-    cli::at_most_one_stdin({map_file, input});
+    grid.refuse_idle(app);
+    if (!grid.asked()) cli::at_most_one_stdin({map_file, input});
     cli::Scenes scenes(cli::open_map(map_file, geom::Verified::extents, common.execution("verify")),
                        vehicle, cli::Scenes::Differences::refused);
     const geom::CollisionScene& scene = scenes.scene();
+    if (grid.asked()) {
+      grid.write(scene, output, common.execution("cells"));
+      common.write_stats({{"collision", scenes.stats()}});
+      return cli::Exit::yes;
+    }
     cli::InputFile file(input);
     cli::OutputFile out(output, cli::OutputKind::text);
     Stream stream(scene, degrees, file, out, {common.execution("queries").threads, {}});

@@ -42,6 +42,7 @@ constexpr std::pair<const char*, const char*> kVerbs[] = {
     {"fly", "fly trajectories with a simulated quadrotor"},
     {"join", "join the shards of a run"},
     {"export", "write drone files"},
+    {"submit", "a folder for an authority: flights, volumes and proofs"},
     {"bench", "compare planners, each path proved"},
     {"render", "draw what the vehicle sees, and pictures of maps"},
     {"plot", "draw maps, motion, ways home and benchmarks as SVG"},

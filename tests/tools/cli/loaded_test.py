@@ -11,7 +11,7 @@ import subprocess
 import sys
 
 EVERY = {"libembree3", "libtbb", "libz", "libsimdjson", "libmpfr", "libgmp", "libfmt", "libstdc++", "libm", "libgcc_s", "libc", "ld-linux-x86-64"}
-FURTHER = {"skyway-render": {"libpng16"}, "skyway-view": {"libpng16", "libwebp"}, "skyway-mesh": {"libdraco"}}
+FURTHER = {"skyway-render": {"libpng16"}, "skyway-view": {"libpng16", "libwebp"}, "skyway-submit": {"libpng16", "libwebp"}, "skyway-mesh": {"libdraco"}}
 LARGE = {"skyway-cloud", "skyway-footprints", "skyway-bench"}  # PCL and PROJ, GDAL, OMPL: with all that these need
 NOWHERE = {"libipopt", "libcrypto", "liboctomap"}  # not linked by those either
 
@@ -55,6 +55,7 @@ def faults():
     packages = (source / "packaging/packages.cmake").read_text(encoding="utf-8")
     listed = re.search(r"set\(skyway_loaded ([^)]*)\)", packages)[1].split()
     listed += re.search(r"list\(APPEND skyway_loaded ([^)]*)\)", packages)[1].split()
+    listed += re.search(r"set\(skyway_loaded_if_there ([^)]*)\)", packages)[1].split()
     found = list(loaded())
     if {package for _, _, package in found} != set(listed):
         yield f"packaging/packages.cmake lists {listed}, and the sources load {[package for _, _, package in found]}"

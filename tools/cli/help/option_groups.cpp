@@ -20,7 +20,7 @@ constexpr Group kGroups[] = {
     {"Input",
      "--queries --reference --set --length=METRES --from --to --format --file-format --paths-csv "
      "--paths plan--home --home-local --contingencies --lattice --roadmap --old-map --patch --map "
-     "--plan check--tube --moving --home-place "
+     "--plan check--tube --moving --home-place --operation --population --between "
      "--alternatives --others --planner-cmd=COMMAND --frames view--poses --epoch=INSTANT "
      "--departure=SECONDS --id=NAME --terrain --where=SQL --height-attribute=NAME "
      "--types=TYPE,... --label-by --model-path=FOLDER --without=NAME --fence --keep-out "
@@ -31,13 +31,16 @@ constexpr Group kGroups[] = {
      "--noise-points --unknown --allow-skipped --collisions-only import-trajectory--gap=METRES "
      "--resolution=METRES --scale=FACTOR --all --verify --join"},
     {"Output",
-     "-o --output check--report=WORD --report-file --json --degrees --profile "
+     "-o --output query--grid query--cell=METRES --at-height=METRES check--report=WORD "
+     "--report-file --json --degrees --profile "
      "--profile-step=LENGTH --junit --certificate "
      "--tree --corridor-file --python --table --show --unchecked --no-clearance --resample=METRES "
      "export--rate=HERTZ export--axes --wpml-version --aircraft --hover --turns=METRES --lost-link "
      "--gimbal=DEGREES --rally --fence-budget=CORNERS --fence-out --rally-out --params-out "
      "--procedure export--fence export--return "
-     "--volumes --buffer=METRES --speed=METRES/S export--tolerance=METRES --title=WORDS --depth "
+     "--volumes --buffer=METRES --no-page --contingency --ground-buffer --reaction=SECONDS "
+     "--stop-tilt=DEGREES --ground-level=METRES --speed=METRES/S export--tolerance=METRES "
+     "--title=WORDS --depth "
      "--depth-unit=METRES --ids render--poses --clear-tube --log-rate=HERTZ"},
     {"Vehicle and room",
      "--vehicle --margin=METRES --spare=METRES --memory=BYTES --navigation --tracking"},

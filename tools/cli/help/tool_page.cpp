@@ -90,6 +90,12 @@ constexpr Page kPages[] = {
      "skyway-import data/downtown.csv | skyway-roadmap - --vehicle tello --reach 30 -o "
      "city.roadmap",
      "--patch --old-map --output --vehicle --margin --reach --part --region --shard --threads"},
+    {"skyway-submit",
+     "skyway-import data/downtown.csv -o city.boxmap && skyway-submit city.boxmap "
+     "data/samples/mission.plan --operation data/samples/operation.json --vehicle quad2kg "
+     "--origin 37,-122,10 --ground 0 --between 2026-05-04T06:30:00Z,2026-05-04T07:00:00Z -o folder",
+     "--operation --output --origin --buffer --contingency --ground-buffer --population --between "
+     "--vehicle --threads"},
     {"skyway-synth", "skyway-synth --seed 7 --size 400 -o town.csv", ""},
     {"skyway-traj",
      "skyway-import data/downtown.csv | skyway-traj - data/samples/paths.jsonl --vmax 8 --amax 6 "

@@ -1,0 +1,169 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "gdal_handles.h"
+#include "geom/gis/people_raster.h"
+
+namespace geom::gis {
+namespace {
+
+constexpr double kMostCells = 4e6;
+constexpr int kSteps = 8;  // along each side of the region, for sides that bend
+
+// A raster with its places.
+class Raster {
+ public:
+  explicit Raster(const std::string& path)
+      : path_(path),
+        dataset_(gdal().open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr,
+                             nullptr)) {
+    if (!dataset_ || gdal().raster_count(dataset_.get()) != 1) {
+      refuse({.expected = "a raster of one band that counts people, as a GeoTIFF",
+              .found = dataset_ ? fmt::format("{} bands", gdal().raster_count(dataset_.get()))
+                                : "a file that GDAL cannot open as one"});
+    }
+    const OGRSpatialReferenceH reference = gdal().spatial_reference(dataset_.get());
+    if (!reference || gdal().geo_transform(dataset_.get(), forward_) != CE_None ||
+        !gdal().invert_geo_transform(forward_, inverse_)) {
+      refuse({.expected = "a raster that says where on Earth its cells are",
+              .found = "one that does not"});
+    }
+    own_.reset(gdal().clone_reference(reference));
+    gdal().set_axis_mapping(own_.get(), OAMS_TRADITIONAL_GIS_ORDER);
+    earth_ = reference_named("EPSG:4326", path);
+    width_ = gdal().raster_width(dataset_.get());
+    height_ = gdal().raster_height(dataset_.get());
+  }
+
+  // Columns and rows, the last ones excluded.
+  struct Window {
+    int column = 0;
+    int row = 0;
+    int columns = 0;
+    int rows = 0;
+  };
+
+  Window window(const Vec2& low, const Vec2& high) const {
+    double c0 = std::numeric_limits<double>::infinity(), c1 = -c0, r0 = c0, r1 = -c0;
+    std::vector<double> x, y;
+    for (int i = 0; i <= kSteps; ++i) {
+      for (int k = 0; k <= kSteps; ++k) {
+        x.push_back(low.y() + (high.y() - low.y()) * i / kSteps);
+        y.push_back(low.x() + (high.x() - low.x()) * k / kSteps);
+      }
+    }
+    transform(earth_, own_, x, y);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const double column = inverse_[0] + x[i] * inverse_[1] + y[i] * inverse_[2];
+      const double row = inverse_[3] + x[i] * inverse_[4] + y[i] * inverse_[5];
+      c0 = std::min(c0, column), c1 = std::max(c1, column);
+      r0 = std::min(r0, row), r1 = std::max(r1, row);
+    }
+    const auto clamped = [](double v, int n) {
+      return static_cast<int>(std::clamp(v, 0.0, 1.0 * n));
+    };
+    Window out{clamped(std::floor(c0) - 1, width_), clamped(std::floor(r0) - 1, height_)};
+    out.columns = clamped(std::ceil(c1) + 1, width_) - out.column;
+    out.rows = clamped(std::ceil(r1) + 1, height_) - out.row;
+    if (static_cast<double>(out.columns) * out.rows > kMostCells) {
+      refuse({.expected = "at most 4e6 cells below the flights",
+              .found = fmt::format("{} x {}", out.columns, out.rows),
+              .advice = "make a raster of larger cells, for example with `gdalwarp -r sum -tr`"});
+    }
+    return out;
+  }
+
+  std::vector<PeopleCell> read(const Window& at) const {
+    std::vector<PeopleCell> out;
+    if (at.columns <= 0 || at.rows <= 0) return out;
+    std::vector<double> values(static_cast<std::size_t>(at.columns) *
+                               static_cast<std::size_t>(at.rows));
+    const GDALRasterBandH band = gdal().raster_band(dataset_.get(), 1);
+    if (gdal().raster_io(band, GF_Read, at.column, at.row, at.columns, at.rows, values.data(),
+                         at.columns, at.rows, GDT_Float64, 0, 0) != CE_None) {
+      refuse({.says = fmt::format("its cells cannot be read (GDAL: {})", gdal().last_error())});
+    }
+    const std::vector<GeodeticPlace> nodes = places(at);
+    const auto node = [&](int column, int row) {
+      return nodes[static_cast<std::size_t>(row * (at.columns + 1) + column)];
+    };
+    for (int row = 0; row < at.rows; ++row) {
+      for (int column = 0; column < at.columns; ++column) {
+        PeopleCell& cell = out.emplace_back();
+        cell.row = static_cast<std::size_t>(at.row + row);
+        cell.column = static_cast<std::size_t>(at.column + column);
+        cell.people =
+            people(band, values[static_cast<std::size_t>(row * at.columns + column)], cell);
+        cell.corners = {node(column, row), node(column + 1, row), node(column + 1, row + 1),
+                        node(column, row + 1)};
+      }
+    }
+    return out;
+  }
+
+ private:
+  [[noreturn]] void refuse(Fault fault) const { throw InputError(path_, std::move(fault)); }
+
+  void transform(const ReferenceHandle& from, const ReferenceHandle& to, std::vector<double>& x,
+                 std::vector<double>& y) const {
+    const OGRCoordinateTransformationH way = gdal().new_transformation(from.get(), to.get());
+    const bool done =
+        way && gdal().transform(way, static_cast<int>(x.size()), x.data(), y.data(), nullptr);
+    if (way) gdal().destroy_transformation(way);
+    if (!done) {
+      refuse({.says = fmt::format("its coordinates cannot be converted (GDAL: {})",
+                                  gdal().last_error())});
+    }
+  }
+
+  // Of all corners of the window's cells.
+  std::vector<GeodeticPlace> places(const Window& at) const {
+    std::vector<double> x, y;
+    for (int row = at.row; row <= at.row + at.rows; ++row) {
+      for (int column = at.column; column <= at.column + at.columns; ++column) {
+        x.push_back(forward_[0] + column * forward_[1] + row * forward_[2]);
+        y.push_back(forward_[3] + column * forward_[4] + row * forward_[5]);
+      }
+    }
+    transform(own_, earth_, x, y);
+    std::vector<GeodeticPlace> out;
+    for (std::size_t i = 0; i < x.size(); ++i) out.push_back({y[i], x[i], 0});
+    return out;
+  }
+
+  std::optional<double> people(GDALRasterBandH band, double value, const PeopleCell& cell) const {
+    int has_none = 0;
+    double none = gdal().no_data(band, &has_none);
+    if (gdal().data_type(band) == GDT_Float32) none = static_cast<float>(none);
+    if (std::isnan(value) || (has_none && value == none)) return std::nullopt;
+    int scaled = 0;
+    const double scale = gdal().raster_scale(band, &scaled);
+    const double people = value * (scaled ? scale : 1) + gdal().raster_offset(band, nullptr);
+    if (people >= 0 && people <= 1e9) return people;
+    refuse({.item = fmt::format("row {}, column {}", cell.row, cell.column),
+            .expected = "a number of people, 0 or more",
+            .found = fmt::to_string(people),
+            .advice = "say which value stands for none (`gdal_translate -a_nodata`)"});
+  }
+
+  std::string path_;
+  DatasetHandle dataset_;
+  ReferenceHandle own_;
+  ReferenceHandle earth_;
+  double forward_[6] = {};
+  double inverse_[6] = {};
+  int width_ = 0;
+  int height_ = 0;
+};
+
+}  // namespace
+
+std::vector<PeopleCell> people_within(const std::string& path, const Vec2& low, const Vec2& high) {
+  const Raster raster(path);
+  return raster.read(raster.window(low, high));
+}
+
+}  // namespace geom::gis

@@ -1,0 +1,282 @@
+#include "traj/submit/submission.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "geom/base/error.h"
+#include "geom/text/instant.h"
+#include "geom/text/json_fields.h"
+#include "geom/text/json_line.h"
+#include "geom/text/parse_json.h"
+
+namespace traj {
+namespace {
+
+using geom::JsonFields;
+using geom::JsonLine;
+
+constexpr std::string_view kType = "submission";
+constexpr std::string_view kClaimsType = "flight_claims";
+
+JsonLine json_of(const RiskRules& rules) {
+  JsonLine out;
+  out.add("contingency", geom::word_of(kContingencyWords, rules.contingency))
+      .add("buffer", geom::word_of(kBufferWords, rules.buffer))
+      .add("dimension", rules.dimension);
+  if (rules.contingency == ContingencyRule::stop) {
+    out.add("position_error", rules.position_error)
+        .add("holding_error", rules.holding_error)
+        .add("map_error", rules.map_error)
+        .add("altitude_error", rules.altitude_error)
+        .add("reaction", rules.reaction)
+        .add("tilt", rules.tilt);
+  }
+  out.add("formulas", formulas(rules), [](const RiskFormula& one) {
+    return JsonLine().add("of", one.what).add("formula", one.formula).add("source", one.source);
+  });
+  return out;
+}
+
+JsonLine json_of(const Energy& energy) {
+  return std::move(JsonLine()
+                       .add("capacity", energy.capacity)
+                       .add("power", energy.power)
+                       .add("reserve", energy.reserve));
+}
+
+JsonLine json_of(const SourceFile& file) {
+  JsonLine out;
+  out.add("name", file.name).add("sha256", file.sha256);
+  if (!file.date.empty()) out.add("date", file.date);
+  return out;
+}
+
+JsonLine json_of(const SubmissionMethod& method) {
+  JsonLine out;
+  out.add("origin",
+          std::vector{method.origin.latitude, method.origin.longitude, method.origin.height})
+      .add("volumes", method.volumes)
+      .add("around", method.buffer)
+      .add("risk", json_of(method.risk))
+      .add("floor", method.floor)
+      .add("autopilot", method.autopilot)
+      .add("return_height", method.return_height);
+  if (method.navigation) {
+    out.add("navigation", std::vector{method.navigation->across, method.navigation->vertical});
+  }
+  out.add("drag", method.drag).add("geoid", method.geoid).add("ground", method.ground);
+  if (method.energy) out.add("energy", json_of(*method.energy));
+  geom::add(out, method.limits);
+  out.add("endurance", method.endurance).add("begins", method.begins).add("ends", method.ends);
+  return out;
+}
+
+// --- read back --------------------------------------------------------------------------------
+
+// A member that is an object, as the fields of a record of its own.
+JsonFields member(const JsonFields& fields, const char* key, std::string_view source) {
+  const nlohmann::json& value = fields.value(key);
+  if (!value.is_object()) {
+    fields.refuse({.key = key, .expected = "an object", .found = geom::shown(value)});
+  }
+  return JsonFields(value.dump(), source, 0);
+}
+
+double number(const JsonFields& fields, const char* key, double least, double most) {
+  const auto value = fields.number(key);
+  if (value && *value >= least && *value <= most) return *value;
+  fields.refuse({.key = key,
+                 .expected = fmt::format("a number from {} to {}", least, most),
+                 .found = value ? fmt::to_string(*value) : "none"});
+}
+
+std::optional<double> number_or_nothing(const JsonFields& fields, const char* key, double least,
+                                        double most) {
+  return fields.has(key) ? std::optional(number(fields, key, least, most)) : std::nullopt;
+}
+
+std::size_t count(const JsonFields& fields, const char* key, double least, double most) {
+  const double value = number(fields, key, least, most);
+  if (value != static_cast<double>(static_cast<std::size_t>(value))) {
+    fields.refuse({.key = key, .expected = "a whole number", .found = fmt::to_string(value)});
+  }
+  return static_cast<std::size_t>(value);
+}
+
+std::vector<double> numbers(const JsonFields& fields, const char* key, std::size_t count,
+                            double least, double most) {
+  const nlohmann::json& value = fields.value(key);
+  std::vector<double> out;
+  if (value.is_array()) {
+    for (const nlohmann::json& one : value) out.push_back(fields.number(one, key));
+  }
+  const bool within =
+      std::all_of(out.begin(), out.end(), [&](double one) { return one >= least && one <= most; });
+  if (out.size() == count && within) return out;
+  fields.refuse({.key = key,
+                 .expected = fmt::format("{} numbers from {} to {}", count, least, most),
+                 .found = geom::shown(value)});
+}
+
+std::optional<std::string> instant(const JsonFields& fields, const char* key) {
+  if (!fields.has(key)) return std::nullopt;
+  std::string text = fields.text(key);
+  if (geom::epoch_from(text) != text) {
+    fields.refuse({.key = key,
+                   .expected = "an instant such as 2026-05-04T06:30:00Z",
+                   .found = geom::in_quotes(text)});
+  }
+  return text;
+}
+
+RiskRules read_rules(const JsonFields& fields) {
+  constexpr double kFar = 1e4;
+  RiskRules out;
+  out.contingency = fields.word("contingency", kContingencyWords, ContingencyRule::stop);
+  out.buffer = fields.word("buffer", kBufferWords, BufferRule::one_to_one);
+  out.dimension = number(fields, "dimension", 0, kFar);
+  if (out.contingency == ContingencyRule::ways_home) return out;
+  out.position_error = number(fields, "position_error", 0, kFar);
+  out.holding_error = number(fields, "holding_error", 0, kFar);
+  out.map_error = number(fields, "map_error", 0, kFar);
+  out.altitude_error = number(fields, "altitude_error", 0, kFar);
+  out.reaction = number(fields, "reaction", 0, kFar);
+  out.tilt = number(fields, "tilt", 1e-3, 1.55);
+  return out;
+}
+
+Energy read_energy(const JsonFields& fields) {
+  return {number(fields, "capacity", 1e-9, 1e15), number(fields, "power", 1e-9, 1e9),
+          number(fields, "reserve", 0, 1 - 1e-9)};
+}
+
+SubmissionMethod read_method(const JsonFields& fields, std::string_view source) {
+  SubmissionMethod out;
+  const std::vector<double> origin = numbers(fields, "origin", 3, -1e5, 1e5);
+  out.origin = {origin[0], origin[1], origin[2]};
+  out.limits = geom::read_limits(fields);
+  out.volumes = count(fields, "volumes", 1, 64);
+  out.buffer = number(fields, "around", 0, 1e4);
+  out.risk = read_rules(member(fields, "risk", source));
+  out.floor = number(fields, "floor", -1e5, 1e5);
+  out.autopilot = fields.text("autopilot");
+  out.return_height = number_or_nothing(fields, "return_height", 0, 1e4);
+  if (fields.has("navigation")) {
+    const std::vector<double> value = numbers(fields, "navigation", 2, 0, 100);
+    out.navigation = Uncertainty{value[0], value[1]};
+  }
+  out.drag = number_or_nothing(fields, "drag", 0, 100);
+  out.geoid = number(fields, "geoid", -1e3, 1e3);
+  out.ground = number_or_nothing(fields, "ground", -1e5, 1e5);
+  if (fields.has("energy")) out.energy = read_energy(member(fields, "energy", source));
+  out.endurance = number_or_nothing(fields, "endurance", 1e-9, 1e9);
+  out.begins = instant(fields, "begins");
+  out.ends = instant(fields, "ends");
+  return out;
+}
+
+SourceFile read_source_file(const nlohmann::json& value, std::string_view source) {
+  const JsonFields fields(value.dump(), source, 0);
+  return {fields.text("name"), fields.text("sha256"), fields.text("date", "")};
+}
+
+std::vector<nlohmann::json> list(const JsonFields& fields, const char* key) {
+  const nlohmann::json& value = fields.value(key);
+  if (!value.is_array()) {
+    fields.refuse({.key = key, .expected = "a list", .found = geom::shown(value)});
+  }
+  return {value.begin(), value.end()};
+}
+
+}  // namespace
+
+std::string to_json_line(const Submission& submission) {
+  JsonLine out;
+  out.add("type", kType).add("made_by", submission.made_by);
+  geom::add(out, submission.method.made_for);
+  out.add("method", json_of(submission.method))
+      .add("flights", submission.flights)
+      .add("missions", submission.missions);
+  if (submission.population) out.add("population", json_of(*submission.population));
+  out.add("zones", submission.zones, [](const SourceFile& file) { return json_of(file); });
+  return out.line();
+}
+
+Submission read_submission(std::string_view json, std::string_view source) {
+  const JsonFields fields(json, source, 0);
+  fields.require_type(kType);
+  Submission out;
+  out.made_by = fields.text("made_by");
+  out.method = read_method(member(fields, "method", source), source);
+  out.method.made_for = geom::read_provenance(fields);
+  out.flights = count(fields, "flights", 1, 1e9);
+  for (const nlohmann::json& mission : list(fields, "missions")) {
+    if (!mission.is_string()) fields.refuse({.key = "missions", .expected = "names of files"});
+    out.missions.push_back(mission.get<std::string>());
+  }
+  if (fields.has("population")) {
+    out.population = read_source_file(fields.value("population"), source);
+  }
+  for (const nlohmann::json& zone : list(fields, "zones")) {
+    out.zones.push_back(read_source_file(zone, source));
+  }
+  return out;
+}
+
+std::string to_json_line(const FlightClaims& claims) {
+  JsonLine out;
+  out.add("type", kClaimsType)
+      .add("id", claims.id)
+      .add("kind", claims.kind)
+      .add("volumes", claims.volumes)
+      .add("risk", claims.risk)
+      .add("vehicle", claims.vehicle)
+      .add("half", claims.half)
+      .add("margin", claims.margin)
+      .add("begins", claims.begins)
+      .add("ends", claims.ends)
+      .add("duration", claims.duration)
+      .add("clearance", claims.clearance)
+      .add("speed", claims.speed)
+      .add("top", claims.top)
+      .add("contingency_across", claims.contingency.across)
+      .add("contingency_vertical", claims.contingency.vertical)
+      .add("buffer", claims.buffer)
+      .add("returns", claims.returns)
+      .add("energy", claims.energy)
+      .add("people", claims.people);
+  if (claims.people) out.add("people_unknown", claims.people_unknown);
+  return out.line();
+}
+
+FlightClaims parse_flight_claims(std::string_view json, std::string_view source, std::size_t line) {
+  constexpr double kMost = 1e15;
+  const JsonFields fields(json, source, line);
+  fields.require_type(kClaimsType);
+  FlightClaims out;
+  out.id = fields.text("id");
+  out.kind = fields.text("kind");
+  out.volumes = fields.text("volumes");
+  out.risk = fields.text("risk");
+  out.vehicle = fields.text("vehicle");
+  out.half = fields.point("half");
+  out.margin = number(fields, "margin", 0, kMost);
+  out.begins = fields.text("begins");
+  out.ends = fields.text("ends");
+  out.duration = number(fields, "duration", 0, kMost);
+  out.clearance = number_or_nothing(fields, "clearance", -kMost, kMost);
+  out.speed = number(fields, "speed", 0, kMost);
+  out.top = number(fields, "top", -kMost, kMost);
+  out.contingency = {number(fields, "contingency_across", 0, kMost),
+                     number(fields, "contingency_vertical", 0, kMost)};
+  out.buffer = number(fields, "buffer", 0, kMost);
+  out.returns = number_or_nothing(fields, "returns", 0, 1);
+  out.energy = number_or_nothing(fields, "energy", 0, kMost);
+  out.people = number_or_nothing(fields, "people", 0, kMost);
+  if (out.people) out.people_unknown = count(fields, "people_unknown", 0, kMost);
+  return out;
+}
+
+}  // namespace traj

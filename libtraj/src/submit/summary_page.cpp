@@ -1,0 +1,373 @@
+#include "traj/submit/summary_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "geom/text/counted.h"
+#include "geom/text/markup.h"
+
+namespace traj {
+namespace {
+
+constexpr const char* kStyle = R"(
+body { font: 11pt/1.45 "DejaVu Sans", Verdana, sans-serif; color: #111; background: #fff;
+       max-width: 62em; margin: 2em auto; padding: 0 1.5em; }
+h1 { font-size: 20pt; margin: 0 0 .2em; }
+h2 { font-size: 13pt; margin: 1.6em 0 .4em; border-bottom: 1px solid #888; break-after: avoid; }
+table { border-collapse: collapse; width: 100%; }
+th, td { text-align: left; vertical-align: top; padding: .25em .6em .25em 0;
+         border-bottom: 1px solid #ddd; }
+thead th { border-bottom: 1px solid #555; }
+thead { display: table-header-group; }
+tr { break-inside: avoid; }
+td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; }
+table.said th { width: 14em; font-weight: normal; color: #444; }
+.flights { font-size: 9pt; }
+code { font-family: "DejaVu Sans Mono", monospace; font-size: 9.5pt; }
+pre { background: #f3f3f3; padding: .6em; overflow-x: auto; }
+.hash { word-break: break-all; font-size: 8.5pt; }
+p.note { color: #444; }
+@media print { body { margin: 0; max-width: none; padding: 0; font-size: 9.5pt; } }
+@page { margin: 18mm 16mm; }
+)";
+
+std::string said(std::string_view text) { return geom::escaped_markup(text); }
+
+class Page {
+ public:
+  Page(const Operation& operation, const Submission& submission,
+       std::span<const FlightClaims> flights)
+      : operation_(operation),
+        submission_(submission),
+        method_(submission.method),
+        flights_(flights) {}
+
+  std::string html() {
+    out_ = fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width\">\n"
+        "<title>Flights of {}</title>\n<style>{}</style>\n</head>\n<body>\n",
+        said(operation_.by.name), kStyle);
+    head();
+    proved();
+    assumed();
+    volumes();
+    flights();
+    ground();
+    files();
+    return out_ + "</body>\n</html>\n";
+  }
+
+ private:
+  void heading(std::string_view text) { out_ += fmt::format("<h2>{}</h2>\n", said(text)); }
+  void begin_table() { out_ += "<table class=\"said\">\n"; }
+  void row(std::string_view what, std::string_view value) {
+    if (value.empty()) return;
+    out_ += fmt::format("<tr><th>{}</th><td>{}</td></tr>\n", said(what), said(value));
+  }
+  void end_table() { out_ += "</table>\n"; }
+  void item(const std::string& text) { out_ += fmt::format("<li>{}</li>\n", said(text)); }
+
+  void head() {
+    out_ +=
+        fmt::format("<h1>{}</h1>\n<p>{}. Made by {}.</p>\n",
+                    operation_.what.empty() ? "Flights and their proofs" : said(operation_.what),
+                    said(geom::counted(submission_.flights, "flight")), said(submission_.made_by));
+    heading("Operator and vehicle");
+    begin_table();
+    row("Operator", operation_.by.name);
+    row("Registration", operation_.by.registration);
+    row("Contact", operation_.by.contact);
+    const Uas& uas = operation_.uas;
+    row("Vehicle", uas.manufacturer.empty() ? uas.model : uas.manufacturer + " " + uas.model);
+    row("Serial number", uas.serial);
+    row("Class", uas.uas_class);
+    row("Characteristic dimension", fmt::format("{:g} m", uas.dimension));
+    if (uas.mass) row("Take-off mass", fmt::format("{:g} kg", *uas.mass));
+    if (uas.endurance) row("Endurance", fmt::format("{:g} s", *uas.endurance));
+    row("If the link is lost", operation_.lost_link);
+    if (!flights_.empty()) {
+      const auto first =
+          std::min_element(flights_.begin(), flights_.end(),
+                           [](const auto& a, const auto& b) { return a.begins < b.begins; });
+      const auto last =
+          std::max_element(flights_.begin(), flights_.end(),
+                           [](const auto& a, const auto& b) { return a.ends < b.ends; });
+      rooms();
+      row("From", first->begins);
+      row("Until", last->ends);
+    }
+    end_table();
+  }
+
+  // The boxes and margins for which flights are proved, each once.
+  void rooms() {
+    std::vector<std::string> said_before;
+    for (const FlightClaims& one : flights_) {
+      std::string room = fmt::format(
+          "{}: a box of {:.3g} x {:.3g} x {:.3g} m, which holds the vehicle in every attitude that "
+          "it takes, and a margin of {:g} m on every side",
+          one.vehicle.empty() ? "vehicle" : one.vehicle, 2 * one.half.x(), 2 * one.half.y(),
+          2 * one.half.z(), one.margin);
+      if (std::find(said_before.begin(), said_before.end(), room) != said_before.end()) continue;
+      row("Room that is proved clear", room);
+      said_before.push_back(std::move(room));
+    }
+  }
+
+  bool has_kind(std::string_view kind) const {
+    return std::any_of(flights_.begin(), flights_.end(),
+                       [&](const FlightClaims& one) { return one.kind == kind; });
+  }
+
+  void proved() {
+    heading("What is proved");
+    out_ += "<ul>\n";
+    if (has_kind("trajectory")) {
+      item(
+          "Every trajectory is clear of every obstacle of the map, at every instant, with the "
+          "vehicle's size and its margin; it stays within the map's bounds and its limits on "
+          "speed and acceleration. This was checked in exact numbers, and certificates.jsonl "
+          "holds the reasons.");
+      item(
+          "The nominal volumes hold the vehicle with its margin and the buffer at every instant "
+          "of each trajectory.");
+    }
+    if (has_kind("mission")) {
+      item(
+          "Every mission file is clear of every obstacle of the map wherever the vehicle may be "
+          "while it flies the file: by the model of the autopilot's firmware, or on its way and in "
+          "its turns where the file is DJI's. Its volumes hold all of these places.");
+    }
+    if (method_.risk.contingency == ContingencyRule::ways_home) {
+      item("The off-nominal volumes hold every return of the autopilot, from every instant.");
+    }
+    item(
+        "Contingency volumes and ground risk buffers reach as far around these as the formulas "
+        "below say.");
+    if (submission_.population) {
+      item(
+          "The number of people is that of all cells of the raster which a ground risk buffer "
+          "touches, each counted whole.");
+    }
+    if (method_.energy) {
+      item(
+          "Each flight ends before the battery is down to its reserve, at the largest power that "
+          "the vehicle's profile names.");
+    }
+    out_ += "</ul>\n";
+  }
+
+  void assumed() {
+    heading("What was assumed, and is not proved");
+    out_ += "<ul>\n";
+    item("The map is like the world, and the vehicle is like its profile.");
+    item(method_.buffer > 0
+             ? fmt::format("The vehicle strays from its way by no more than the margin and {:g} m.",
+                           method_.buffer)
+             : "The vehicle strays from its way by no more than the margin.");
+    item(
+        fmt::format("The map's origin is at {:.9g}, {:.9g} and {:g} m above the ellipsoid of WGS "
+                    "84.",
+                    method_.origin.latitude, method_.origin.longitude, method_.origin.height));
+    item(
+        fmt::format("No ground below the flights is lower than {:g} m in the map's heights. "
+                    "Heights above the ground are counted from there.",
+                    method_.floor));
+    if (const auto& energy = method_.energy) {
+      item(
+          fmt::format("The battery holds {:g} Wh, of which {:g} % stay as reserve, and the vehicle "
+                      "takes {:g} W at most.",
+                      energy->capacity / 3600, 100 * energy->reserve, energy->power));
+    }
+    assume_manoeuvre();
+    item(
+        "No wind carries the vehicle out of the contingency volume, or farther while it comes "
+        "down.");
+    if (has_kind("mission")) {
+      item(mission_reading());
+      item(fmt::format("Missions are flown between {} and {}. Their durations are estimates.",
+                       method_.begins.value_or(""), method_.ends.value_or("")));
+    }
+    assume_ground();
+    item("The flights were not compared with each other, nor with other traffic.");
+    item(submission_.zones.empty()
+             ? "No zones of airspace were looked at, other than what the map holds."
+             : "Zones are as their files say.");
+    out_ += "</ul>\n";
+  }
+
+  // What decides where an autopilot may be, and is in no file.
+  std::string mission_reading() const {
+    std::string out = fmt::format(
+        "Missions are flown by an autopilot ({}) with the parameters of its firmware, an airframe "
+        "with a drag over its mass of {:g} 1/s, and sea level {:g} m above the ellipsoid",
+        method_.autopilot, method_.drag.value_or(0), method_.geoid);
+    if (method_.ground) out += fmt::format(", from ground at {:g} m", *method_.ground);
+    if (method_.navigation) {
+      out += fmt::format(
+          ", which is wrong about its place by at most {:g} m across and {:g} m up or down",
+          method_.navigation->across, method_.navigation->vertical);
+    }
+    return out + ".";
+  }
+
+  void assume_manoeuvre() {
+    const RiskRules& rules = method_.risk;
+    if (rules.contingency == ContingencyRule::ways_home) {
+      item(fmt::format(
+          "If something goes wrong, the autopilot ({}) returns as its firmware's model says, with "
+          "a "
+          "drag over its mass of {:g} 1/s{}.",
+          method_.autopilot, method_.drag.value_or(0),
+          method_.return_height ? fmt::format(", {:g} m above home", *method_.return_height)
+                                : std::string()));
+      double least = 1;
+      for (const FlightClaims& one : flights_) least = std::min(least, one.returns.value_or(1));
+      if (least < 1) {
+        item(
+            fmt::format("Returns may meet an obstacle: of the flight with the least, {:.4g} % of "
+                        "the time has a return that is proved clear.",
+                        100 * least));
+      }
+      return;
+    }
+    item(fmt::format(
+        "If something goes wrong, the vehicle stops: after {:g} s, tilted by {:.4g} degrees. "
+        "Errors: navigation S_GNSS {:g} m, keeping the place S_Pos {:g} m, map S_K {:g} m, height "
+        "H_err {:g} m.",
+        rules.reaction, rules.tilt * 57.29577951308232, rules.position_error, rules.holding_error,
+        rules.map_error, rules.altitude_error));
+  }
+
+  void assume_ground() {
+    std::size_t unknown = 0;
+    for (const FlightClaims& one : flights_) unknown = std::max(unknown, one.people_unknown);
+    if (!submission_.population) {
+      item("Nobody counted the people below the flights.");
+      return;
+    }
+    item("People are where the raster says. It knows no hour of the day and no crowd.");
+    if (unknown > 0) {
+      item(fmt::format("The raster says nothing of up to {} below a flight. They count as nobody.",
+                       geom::counted(unknown, "cell")));
+    }
+  }
+
+  void volumes() {
+    heading("Volumes, and their formulas");
+    out_ += "<table>\n<thead><tr><th>volume</th><th>formula</th><th>source</th></tr></thead>\n";
+    for (const RiskFormula& one : formulas(method_.risk)) {
+      out_ += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", said(one.what),
+                          said(one.formula), said(one.source));
+    }
+    out_ += "</table>\n";
+    out_ += fmt::format(
+        "<p class=\"note\">V: the limit on the flight's speed. g: 9.80665 m/s². CD: {:g} m. H_CV: "
+        "the top of a contingency volume above {:g} m. The volumes stand in "
+        "<code>volumes/</code> (ASTM F3548) and <code>risk/</code> (GeoJSON).</p>\n",
+        method_.risk.dimension, method_.floor);
+  }
+
+  std::vector<std::size_t> rows() const {
+    std::vector<std::size_t> out(flights_.size());
+    std::iota(out.begin(), out.end(), 0u);
+    if (out.size() <= kMostRows) return out;
+    const auto before = [&](std::size_t i, std::size_t k) {
+      const FlightClaims& a = flights_[i];
+      const FlightClaims& b = flights_[k];
+      if (a.people != b.people) return a.people.value_or(0) > b.people.value_or(0);
+      return a.clearance.value_or(1e9) < b.clearance.value_or(1e9);
+    };
+    std::stable_sort(out.begin(), out.end(), before);
+    out.resize(kMostRows);
+    return out;
+  }
+
+  void flights() {
+    heading("Flights");
+    const std::vector<std::size_t> shown = rows();
+    if (shown.size() < flights_.size()) {
+      out_ += fmt::format(
+          "<p>{} of {} flights: those with the most people below, then those that come nearest to "
+          "an obstacle. <code>claims.jsonl</code> has all.</p>\n",
+          shown.size(), flights_.size());
+    }
+    const bool people = submission_.population.has_value();
+    const bool energy = method_.energy.has_value();
+    const bool returns = method_.risk.contingency == ContingencyRule::ways_home;
+    out_ +=
+        "<table class=\"flights\">\n<thead><tr><th>flight</th><th>begins</th>"
+        "<th class=\"n\">lasts s</th><th class=\"n\">speed m/s</th>"
+        "<th class=\"n\">clearance m</th><th class=\"n\">top m</th>";
+    out_ += returns ? "<th class=\"n\">returns %</th>" : "<th class=\"n\">contingency m</th>";
+    out_ += "<th class=\"n\">ground buffer m</th>";
+    if (energy) out_ += "<th class=\"n\">energy Wh</th>";
+    if (people) out_ += "<th class=\"n\">people</th>";
+    out_ += "</tr></thead>\n";
+    for (const std::size_t i : shown) {
+      const FlightClaims& one = flights_[i];
+      out_ += fmt::format(
+          "<tr><td>{}</td><td>{}</td><td class=\"n\">{:.1f}</td><td class=\"n\">{:g}</td>"
+          "<td class=\"n\">{}</td><td class=\"n\">{:.1f}</td><td class=\"n\">{}</td>"
+          "<td class=\"n\">{:.1f}</td>",
+          said(one.id), said(one.begins), one.duration, one.speed,
+          one.clearance ? fmt::format("{:.2f}", *one.clearance) : "", one.top,
+          returns ? fmt::format("{:.4g}", 100 * one.returns.value_or(0))
+                  : fmt::format("{:.1f}", one.contingency.across),
+          one.buffer);
+      if (energy) out_ += fmt::format("<td class=\"n\">{:.1f}</td>", one.energy.value_or(0) / 3600);
+      if (people) out_ += fmt::format("<td class=\"n\">{:.0f}</td>", one.people.value_or(0));
+      out_ += "</tr>\n";
+    }
+    out_ += "</table>\n";
+  }
+
+  void source_row(const char* what, const SourceFile& file) {
+    out_ += fmt::format(
+        "<tr><th>{}</th><td>{}{}<br><span class=\"hash\">SHA-256 {}</span></td></tr>\n", what,
+        said(file.name), file.date.empty() ? "" : ", of " + said(file.date), said(file.sha256));
+  }
+
+  void ground() {
+    heading("Sources");
+    begin_table();
+    if (method_.made_for.map) {
+      out_ += fmt::format(
+          "<tr><th>Map</th><td>map.boxmap<br><span class=\"hash\">{}</span></td></tr>\n",
+          said(*method_.made_for.map));
+    }
+    if (submission_.population) source_row("Population", *submission_.population);
+    for (const SourceFile& zone : submission_.zones) source_row("Zones", zone);
+    end_table();
+  }
+
+  void files() {
+    heading("How to check this folder");
+    out_ +=
+        "<p><code>manifest.json</code> lists every other file with its SHA-256. Skyway proves the "
+        "folder with</p>\n<pre>skyway-check FOLDER</pre>\n"
+        "<p>Scripts that share no code with it, and need only Python, are in the folder:</p>\n"
+        "<pre>python3 FOLDER/verify/verify_folder.py FOLDER</pre>\n"
+        "<p class=\"note\"><code>page.html</code> shows map and flights. It is for looking, and "
+        "nothing is proved of it.</p>\n";
+  }
+
+  const Operation& operation_;
+  const Submission& submission_;
+  const SubmissionMethod& method_;
+  std::span<const FlightClaims> flights_;
+  std::string out_;
+};
+
+}  // namespace
+
+std::string summary_page(const Operation& operation, const Submission& submission,
+                         std::span<const FlightClaims> flights) {
+  return Page(operation, submission, flights).html();
+}
+
+}  // namespace traj

@@ -1,0 +1,357 @@
+"""verify_folder.py FOLDER: follows the claims of a folder of skyway-submit, without any code of Skyway.
+
+Python's standard library is enough. The script works out
+
+- the SHA-256 of every file, and that no file is missing or is not in manifest.json;
+- the certificates of all trajectories in exact fractions (verify_certificate.py, beside this script);
+- at many instants of each trajectory, and at all its joints, that a volume of that time holds the box of
+  the vehicle with its margin and the buffer;
+- how far contingency volumes and ground risk buffers reach around what they are around, from the numbers
+  of the formulas;
+- the people in all cells of population.csv that a ground risk buffer touches;
+- durations, energy and the times of claims.jsonl.
+
+Places are brought to metres by a projection of its own (an equirectangular one with the ellipsoid's two
+radii at the middle of a polygon), so lengths agree to some centimetres: TOLERANCE says how much is let
+pass. Exit 0 if all of this holds, 1 if something does not, with the file and the reason; 2 for wrong
+usage; 3 if a file is not what it should be.
+"""
+
+import hashlib
+import json
+import math
+import os
+import subprocess
+import sys
+from datetime import datetime, timezone
+from fractions import Fraction
+
+GRAVITY = 9.80665
+TOLERANCE = 0.05  # m
+INSTANTS = 24  # of each segment
+A, F = 6378137.0, 1 / 298.257223563
+E2 = F * (2 - F)
+
+
+class Refused(Exception):
+    pass
+
+
+def require(holds, file, what):
+    if not holds:
+        raise Refused(f"{file}: {what}")
+
+
+# ---- files
+
+def listed(folder):
+    manifest = json.load(open(os.path.join(folder, "manifest.json"), encoding="utf-8"))
+    names = [one["path"] for one in manifest["files"]]
+    require(len(set(names)) == len(names), "manifest.json", "a file comes twice")
+    return {one["path"]: one for one in manifest["files"]}
+
+
+def check_files(folder):
+    files = listed(folder)
+    found = set()
+    for where, _, names in os.walk(folder):
+        for name in names:
+            path = os.path.relpath(os.path.join(where, name), folder).replace(os.sep, "/")
+            if path != "manifest.json":
+                found.add(path)
+    for path in sorted(set(files) | found):
+        require(path in found, path, "it is missing")
+        require(path in files, path, "it is not in the manifest")
+        data = open(os.path.join(folder, path), "rb").read()
+        require(hashlib.sha256(data).hexdigest() == files[path]["sha256"], path, "it was changed")
+    return found
+
+
+def lines(folder, name):
+    path = os.path.join(folder, name)
+    if not os.path.exists(path):
+        return []
+    return [json.loads(line) for line in open(path, encoding="utf-8") if line.strip()]
+
+
+# ---- places
+
+def metres(origin_lat, lat, lng, lat0, lng0):
+    """East and north of (lat0, lng0), by the ellipsoid's radii between the two latitudes."""
+    s = math.sin(math.radians((lat + lat0) / 2))
+    w = 1 - E2 * s * s
+    north = A * (1 - E2) / w ** 1.5 * math.radians(lat - lat0)
+    east = A / math.sqrt(w) * math.cos(math.radians(lat)) * math.radians(lng - lng0)
+    return east, north
+
+
+def geodetic(origin, east, north):
+    """The place so many metres east and north: a transverse Mercator projection of scale 1, inverted to
+    the third order about the origin, and refined by projecting again."""
+    lat, lng = origin[0], origin[1]
+    for _ in range(12):
+        e, n = transverse_mercator(origin, lat, lng)
+        s = math.sin(math.radians(lat))
+        w = 1 - E2 * s * s
+        lat += math.degrees((north - n) / (A * (1 - E2) / w ** 1.5))
+        lng += math.degrees((east - e) / (A / math.sqrt(w) * math.cos(math.radians(lat))))
+    return lat, lng
+
+
+def meridian(lat):
+    """Metres from the equator: Helmert's series in n = f / (2 - f)."""
+    n = F / (2 - F)
+    p = math.radians(lat)
+    a0 = 1 + n ** 2 / 4 + n ** 4 / 64
+    a2 = 1.5 * (n - n ** 3 / 8)
+    a4 = 15 / 16 * (n ** 2 - n ** 4 / 4)
+    a6 = 35 / 48 * n ** 3
+    a8 = 315 / 512 * n ** 4
+    return A / (1 + n) * (a0 * p - a2 * math.sin(2 * p) + a4 * math.sin(4 * p) - a6 * math.sin(6 * p)
+                          + a8 * math.sin(8 * p))
+
+
+def transverse_mercator(origin, lat, lng):
+    """East and north of the origin (Snyder, Map Projections, 8-9 and 8-10)."""
+    p, dl = math.radians(lat), math.radians(lng - origin[1])
+    ep2 = E2 / (1 - E2)
+    nu = A / math.sqrt(1 - E2 * math.sin(p) ** 2)
+    t, c, a = math.tan(p) ** 2, ep2 * math.cos(p) ** 2, dl * math.cos(p)
+    east = nu * (a + (1 - t + c) * a ** 3 / 6 + (5 - 18 * t + t * t + 72 * c - 58 * ep2) * a ** 5 / 120)
+    north = meridian(lat) - meridian(origin[0]) + nu * math.tan(p) * (
+        a * a / 2 + (5 - t + 9 * c + 4 * c * c) * a ** 4 / 24
+        + (61 - 58 * t + t * t + 600 * c - 330 * ep2) * a ** 6 / 720)
+    return east, north
+
+
+def outward(ring):
+    """Edges of a convex ring in metres: (point, unit normal outward)."""
+    area = sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(ring, ring[1:] + ring[:1]))
+    sign = 1 if area > 0 else -1
+    edges = []
+    for a, b in zip(ring, ring[1:] + ring[:1]):
+        dx, dy = b[0] - a[0], b[1] - a[1]
+        length = math.hypot(dx, dy)
+        if length > 0:
+            edges.append((a, (sign * dy / length, -sign * dx / length)))
+    return edges
+
+
+def room_around(outer, inner):
+    """How far the inner ring stays inside every edge of the outer one, m; below 0 where it does not."""
+    return min(-max((p[0] - a[0]) * n[0] + (p[1] - a[1]) * n[1] for p in inner) for a, n in outward(outer))
+
+
+def disjoint(one, other):
+    for ring, points in ((one, other), (other, one)):
+        for a, n in outward(ring):
+            if min((p[0] - a[0]) * n[0] + (p[1] - a[1]) * n[1] for p in points) > 0:
+                return True
+    return False
+
+
+# ---- volumes
+
+def instant(text):
+    return datetime.fromisoformat(text.replace("Z", "+00:00")).astimezone(timezone.utc)
+
+
+def ring_of(places, origin):
+    return [transverse_mercator(origin, lat, lng) for lat, lng in places]
+
+
+def intent_volumes(folder, name, origin, key):
+    out = []
+    for one in json.load(open(os.path.join(folder, name), encoding="utf-8")).get(key, []):
+        space = one["volume"]
+        places = [(v["lat"], v["lng"]) for v in space["outline_polygon"]["vertices"]]
+        out.append({"ring": ring_of(places, origin), "low": space["altitude_lower"]["value"],
+                    "high": space["altitude_upper"]["value"], "from": instant(one["time_start"]["value"]),
+                    "until": instant(one["time_end"]["value"])})
+    return out
+
+
+def risk_volumes(folder, name, origin):
+    out = {"flight geography": [], "contingency volume": [], "ground risk buffer": []}
+    for one in json.load(open(os.path.join(folder, name), encoding="utf-8"))["features"]:
+        said = one["properties"]
+        places = [(lat, lng) for lng, lat in one["geometry"]["coordinates"][0][:-1]]
+        out[said["volume"]].append({"ring": ring_of(places, origin), "low": said["lower_m"],
+                                    "high": said["upper_m"], "from": instant(said["from"]),
+                                    "until": instant(said["until"]), "said": said})
+    return out
+
+
+def bernstein(points, t):
+    while len(points) > 1:
+        points = [a + (b - a) * t for a, b in zip(points, points[1:])]
+    return points[0]
+
+
+def places_of(record, enu):
+    """Times after the start and places (east, north, up), at many instants."""
+    begin = 0.0
+    for segment in record["segments"]:
+        for k in range(INSTANTS + 1):
+            t = k / INSTANTS
+            p = [bernstein(segment[axis], t) for axis in "xyz"]
+            yield begin + t * segment["duration"], p if enu else [p[1], p[0], p[2]]
+        begin += segment["duration"]
+
+
+def check_held(record, volumes, method, claims, enu):
+    half, margin, around = claims["half"], claims["margin"], method["around"]
+    room = [half[0] + margin + around, half[1] + margin + around, half[2] + margin + around]
+    if not enu:
+        room[0], room[1] = room[1], room[0]
+    begin = instant(record["epoch"]).timestamp() + record["start"]
+    height = method["origin"][2]
+    for seconds, p in places_of(record, enu):
+        now = begin + seconds
+        corners = [(p[0] + x * room[0], p[1] + y * room[1]) for x in (-1, 1) for y in (-1, 1)]
+        held = [v for v in volumes if v["from"].timestamp() <= now + 1e-6 and now - 1e-6 <= v["until"].timestamp()]
+        require(held, claims["volumes"], f"no volume is there {seconds:.3f} s after the start")
+        require(any(v["low"] - height <= p[2] - room[2] + 1e-6 and p[2] + room[2] <= v["high"] - height + 1e-6
+                    and room_around(v["ring"], corners) >= -TOLERANCE / 10 for v in held),
+                claims["volumes"], f"no volume holds the vehicle {seconds:.3f} s after the start")
+
+
+def contingency_size(risk, speed):
+    if risk["contingency"] == "return":
+        return 0.0, 0.0
+    errors = risk["position_error"] + risk["holding_error"] + risk["map_error"]
+    stop = speed ** 2 / (2 * GRAVITY * math.tan(risk["tilt"]))
+    return (errors + speed * risk["reaction"] + stop,
+            risk["altitude_error"] + math.sqrt(0.5) * speed * risk["reaction"] + speed ** 2 / (2 * GRAVITY))
+
+
+def ground_buffer(risk, speed, height):
+    fall = height if risk["buffer"] == "1:1" else speed * math.sqrt(2 * height / GRAVITY)
+    return fall + risk["dimension"] / 2
+
+
+def check_around(outer, inner, across, vertical, file, what):
+    require(outer["from"] <= inner["from"] and outer["until"] >= inner["until"], file, f"{what} is not there all the time")
+    require(outer["low"] <= inner["low"] - vertical + 0.011 and outer["high"] >= inner["high"] + vertical - 0.011,
+            file, f"{what} does not reach {vertical:.2f} m up and down")
+    have = room_around(outer["ring"], inner["ring"])
+    require(have >= across - TOLERANCE, file, f"{what} reaches {have:.2f} m around, expected {across:.2f} m")
+
+
+def check_risk(risk, nominal, off_nominal, method, claims):
+    file, rules, speed = claims["risk"], method["risk"], claims["speed"]
+    across, vertical = contingency_size(rules, speed)
+    inner = nominal + (off_nominal if rules["contingency"] == "return" else [])
+    contingency, buffers = risk["contingency volume"], risk["ground risk buffer"]
+    require(len(contingency) == len(inner) == len(buffers), file, "volumes are missing")
+    for i, (volume, around, buffer) in enumerate(zip(inner, contingency, buffers)):
+        check_around(around, volume, across, vertical, file, f"contingency volume {i}")
+        height = max(0.0, around["high"] - method["origin"][2] - method["floor"])
+        require(buffer["said"]["height_m"] >= height - 1e-6, file, f"buffer {i} counts from too low a top")
+        wide = ground_buffer(rules, speed, height)
+        require(buffer["said"]["buffer_m"] >= wide - 1e-6, file, f"buffer {i} is too narrow")
+        have = room_around(buffer["ring"], around["ring"])
+        require(have >= wide - TOLERANCE, file, f"ground risk buffer {i} reaches {have:.2f} m, expected {wide:.2f} m")
+    return buffers
+
+
+# ---- people
+
+def population(folder, origin):
+    path = os.path.join(folder, "population.csv")
+    if not os.path.exists(path):
+        return None
+    cells = []
+    for line in open(path, encoding="utf-8").read().splitlines()[1:]:
+        fields = line.split(",")
+        places = [(float(fields[4 + 2 * i]), float(fields[3 + 2 * i])) for i in range(4)]
+        ring = ring_of(places, origin)
+        cells.append((ring, float(fields[2]) if fields[2] else None,
+                      min(p[0] for p in ring), max(p[0] for p in ring), min(p[1] for p in ring), max(p[1] for p in ring)))
+    return cells
+
+
+def people_below(cells, buffers):
+    total = 0.0
+    boxes = [(b["ring"], min(p[0] for p in b["ring"]), max(p[0] for p in b["ring"]), min(p[1] for p in b["ring"]),
+              max(p[1] for p in b["ring"])) for b in buffers]
+    for ring, people, west, east, south, north in cells:
+        for other, w, e, s, n in boxes:
+            if e < west or east < w or n < south or north < s or disjoint(ring, other):
+                continue
+            total += people or 0
+            break
+    return total
+
+
+# ---- all of it
+
+def check_claims(record, claims, method):
+    duration = float(sum(Fraction(s["duration"]) for s in record["segments"]))
+    file = "claims.jsonl"
+    require(abs(claims["duration"] - duration) <= 1e-9 * max(1, duration), file, f"{claims['id']} lasts {duration} s")
+    begin = instant(record["epoch"]).timestamp() + record["start"]
+    require(instant(claims["begins"]).timestamp() <= begin + 1e-6, file, f"{claims['id']} begins before that")
+    require(instant(claims["ends"]).timestamp() >= begin + duration - 1e-6, file, f"{claims['id']} ends after that")
+    require(claims["half"] == record.get("vehicle", {}).get("half", claims["half"]), file, "the vehicle is another")
+    require(claims["margin"] >= record.get("margin", 0), file, "the margin is another")
+    if "energy" in method:
+        energy = method["energy"]
+        require(abs(claims["energy"] - energy["power"] * duration) <= 1e-6 * claims["energy"], file, "another energy follows")
+        require(claims["energy"] <= energy["capacity"] * (1 - energy["reserve"]), file, "the battery does not last")
+    if "endurance" in method:
+        require(duration <= method["endurance"], file, "it flies longer than the vehicle can")
+
+
+def check_certificates(folder, found):
+    if "flights.jsonl" not in found:
+        return
+    script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "verify_certificate.py")
+    if not os.path.exists(script):
+        script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "check", "verify_certificate.py")
+    names = [os.path.join(folder, name) for name in ("flights.jsonl", "map.boxmap", "certificates.jsonl")]
+    ran = subprocess.run([sys.executable, "-B", script, *names], capture_output=True, text=True, check=False)
+    require(ran.returncode == 0, "certificates.jsonl", (ran.stdout + ran.stderr).strip().splitlines()[-1:])
+
+
+def check(folder):
+    found = check_files(folder)
+    submission = lines(folder, "submission.json")[0]
+    method, claims = submission["method"], lines(folder, "claims.jsonl")
+    origin, enu = method["origin"], submission["frame"] == "enu"
+    records = {one["id"]: one for one in lines(folder, "flights.jsonl")}
+    require(len(claims) == submission["flights"], "claims.jsonl", "flights are missing")
+    require(set(records) == {c["id"] for c in claims if c["kind"] == "trajectory"}, "claims.jsonl", "its flights are others")
+    check_certificates(folder, found)
+    cells = population(folder, origin)
+    for one in claims:
+        nominal = intent_volumes(folder, one["volumes"], origin, "volumes")
+        off_nominal = intent_volumes(folder, one["volumes"], origin, "off_nominal_volumes")
+        if one["kind"] == "trajectory":
+            check_claims(records[one["id"]], one, method)
+            check_held(records[one["id"]], nominal, method, one, enu)
+        buffers = check_risk(risk_volumes(folder, one["risk"], origin), nominal, off_nominal, method, one)
+        if cells is not None:
+            below = people_below(cells, buffers)
+            require(one["people"] >= below - 1e-6 * max(1, below), "claims.jsonl", f"{below} people are below {one['id']}")
+    return len(claims)
+
+
+def main():
+    if len(sys.argv) != 2:
+        print(__doc__.splitlines()[0], file=sys.stderr)
+        return 2
+    try:
+        count = check(sys.argv[1])
+    except Refused as refusal:
+        print(f"refused: {refusal}")
+        return 1
+    except (OSError, KeyError, ValueError, TypeError, IndexError) as error:
+        print(f"{sys.argv[1]}: {type(error).__name__}: {error}")
+        return 3
+    print(f"{count} flights: files, certificates, volumes and claims hold")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,74 @@
+#include "traj/submit/submission.h"
+
+#include <gtest/gtest.h>
+
+#include "geom/base/error.h"
+#include "traj/submit/summary_page.h"
+
+namespace {
+
+traj::Submission submission() {
+  traj::Submission out{.made_by = "skyway 1", .missions = {"a.plan"}, .flights = 2};
+  out.method.made_for = {"sha256:00", geom::Axes::enu, {}, 0.5};
+  out.method.origin = {47.4, 8.5, 400};
+  out.method.limits[traj::Limit::speed] = 9;
+  out.method.risk.dimension = 0.7;
+  out.method.navigation = traj::Uncertainty{0.5, 1};
+  out.method.energy = traj::Energy{1000, 100, 0.2, 0};
+  out.method.begins = "2026-05-04T06:30:00Z";
+  out.population = traj::SourceFile{"pop.tif", "ab"};
+  out.zones = {{"zones.json", "cd", "2026-01-01"}};
+  return out;
+}
+
+TEST(Submission, ComesBackAsItWasWritten) {
+  for (const auto rule : {traj::ContingencyRule::stop, traj::ContingencyRule::ways_home}) {
+    traj::Submission out = submission();
+    out.method.risk.contingency = rule;
+    const std::string text = traj::to_json_line(out);
+    EXPECT_EQ(traj::to_json_line(traj::read_submission(text, "s")), text);
+  }
+}
+
+TEST(Submission, IsRefusedWithoutWhatItNeeds) {
+  EXPECT_THROW(traj::read_submission("{}", "s"), geom::InputError);
+  EXPECT_THROW(traj::read_submission(R"({"type":"submission","made_by":"x"})", "s"),
+               geom::InputError);
+}
+
+TEST(FlightClaims, ComeBackAsTheyWereWritten) {
+  traj::FlightClaims claims{.id = "q1", .kind = "trajectory", .volumes = "v", .risk = "r"};
+  claims.duration = 12.5;
+  claims.clearance = 0.3;
+  claims.people = 4;
+  claims.people_unknown = 1;
+  const std::string text = traj::to_json_line(claims);
+  EXPECT_EQ(traj::to_json_line(traj::parse_flight_claims(text, "c", 1)), text);
+}
+
+TEST(SummaryPage, SaysWhoFliesAndWhatIsNotProved) {
+  traj::Operation operation{.by = {"Ann <Air>", "AUT1"}, .lost_link = "returns"};
+  traj::FlightClaims claims{.id = "q\"1", .kind = "trajectory", .begins = "2026-05-04T06:30:00Z"};
+  const std::string html = traj::summary_page(operation, submission(), {&claims, 1});
+  for (const char* part : {"Ann &lt;Air&gt;", "AUT1", "q&quot;1", "What was assumed", "zones.json",
+                           "pop.tif", "S_GRB"}) {
+    EXPECT_NE(html.find(part), std::string::npos) << part;
+  }
+  for (const char* outside : {"http:", "https:", "<script", "src=", "@import"}) {
+    EXPECT_EQ(html.find(outside), std::string::npos) << outside;
+  }
+}
+
+TEST(SummaryPage, HasThoseFlightsOfVeryManyThatMatterMost) {
+  std::vector<traj::FlightClaims> claims(3 * traj::kMostRows);
+  for (std::size_t i = 0; i < claims.size(); ++i) {
+    claims[i].id = "flight-" + std::to_string(i);
+    claims[i].kind = "trajectory";
+    claims[i].people = static_cast<double>(i);
+  }
+  const std::string html = traj::summary_page({}, submission(), claims);
+  EXPECT_NE(html.find(">flight-299<"), std::string::npos);
+  EXPECT_EQ(html.find(">flight-199<"), std::string::npos);
+}
+
+}  // namespace

@@ -1,0 +1,372 @@
+#include "folder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include "cli/content/submitted_flights.h"
+#include "cli/content/verify_scripts.h"
+#include "cli/file/files.h"
+#include "cli/option/common.h"
+#include "cli/tell.h"
+#include "geom/base/error.h"
+#include "geom/base/in_order.h"
+#include "geom/text/counted.h"
+#include "geom/text/json_line.h"
+#include "traj/mission/firmware/autopilot.h"
+#include "traj/record/verdict.h"
+#include "traj/submit/manifest.h"
+#include "traj/submit/operation.h"
+#include "traj/submit/population.h"
+#include "traj/submit/risk_geojson.h"
+#include "traj/submit/summary_page.h"
+
+namespace checking {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kManifest = "manifest.json";
+constexpr std::size_t kFolderFlights = 64;  // flights at a time
+
+// Why a folder is refused: what is wrong, and of which file.
+struct Refusal {
+  std::string file;
+  std::string why;
+};
+
+std::string text_of(const fs::path& path) { return cli::InputFile(path.string()).read_all(); }
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> out;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    out.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return out;
+}
+
+class Folder {
+ public:
+  Folder(const cli::Common& common, fs::path path) : common_(common), path_(std::move(path)) {}
+
+  std::optional<Refusal> refusal() {
+    if (auto why = why_files_differ()) return why;
+    read();
+    if (auto why = why_not_known()) return why;
+    if (auto why = why_method_differs()) return why;
+    if (auto why = why_flights_refused()) return why;
+    if (traj::summary_page(operation_, submission_, claims_) != file("summary.html")) {
+      return Refusal{"summary.html", "it does not say what the other files say"};
+    }
+    return why_scripts_differ();
+  }
+
+  std::size_t flights() const { return claims_.size(); }
+  std::size_t files() const { return listed_.size() + 1; }
+  const std::string& hash() const { return hash_; }
+  const std::vector<std::string>& not_verified() const { return not_verified_; }
+
+ private:
+  // --- files ----------------------------------------------------------------------------------
+
+  std::string name_of(const fs::path& path) const { return (path_ / path).string(); }
+  std::string file(const std::string& name) const { return text_of(path_ / name); }
+  bool has(const std::string& name) const { return names_.contains(name); }
+
+  std::optional<Refusal> why_files_differ() {
+    const std::string manifest = file(kManifest);
+    hash_ = traj::listed_file(kManifest, manifest).sha256;
+    listed_ = traj::read_manifest(manifest, name_of(kManifest));
+    std::vector<traj::ListedFile> found;
+    for (const auto& entry : fs::recursive_directory_iterator(path_)) {
+      const std::string name = fs::relative(entry.path(), path_).generic_string();
+      if (entry.is_directory() && !entry.is_symlink()) continue;
+      if (entry.is_symlink() || !entry.is_regular_file()) {
+        return Refusal{name, "it is a link or a device, and no file"};
+      }
+      if (name != kManifest) found.push_back(traj::listed_file(name, text_of(entry.path())));
+    }
+    std::sort(found.begin(), found.end(),
+              [](const auto& a, const auto& b) { return a.path < b.path; });
+    if (const auto why = traj::why_not_as_listed(listed_, found)) return Refusal{kManifest, *why};
+    for (const traj::ListedFile& one : listed_) names_.insert(one.path);
+    return std::nullopt;
+  }
+
+  void read() {
+    for (const char* name :
+         {"map.boxmap", "operation.json", "submission.json", "claims.jsonl", "summary.html"}) {
+      if (has(name)) continue;
+      throw geom::InputError(name_of(""),
+                             {.expected = fmt::format("the file {}", name), .found = "none"});
+    }
+    operation_ = traj::read_operation(file("operation.json"), name_of("operation.json"));
+    submission_ = traj::read_submission(file("submission.json"), name_of("submission.json"));
+    std::size_t number = 0;
+    for (const std::string& line : lines_of(file("claims.jsonl"))) {
+      claims_.push_back(traj::parse_flight_claims(line, name_of("claims.jsonl"), ++number));
+    }
+  }
+
+  // Every file of the manifest is one whose content is looked at, or is told.
+  std::optional<Refusal> why_not_known() {
+    std::set<std::string> known{"map.boxmap",    "operation.json",    "submission.json",
+                                "claims.jsonl",  "summary.html",      "page.html",
+                                "flights.jsonl", "certificates.jsonl"};
+    if (submission_.population) known.insert("population.csv");
+    for (const std::string& mission : submission_.missions) known.insert("missions/" + mission);
+    for (const traj::FlightClaims& one : claims_) {
+      known.insert(one.volumes);
+      known.insert(one.risk);
+    }
+    for (const cli::VerifyScript& one : cli::verify_scripts()) {
+      known.insert("verify/" + std::string(one.name));
+    }
+    for (const std::string& name : names_) {
+      if (!known.contains(name)) return Refusal{name, "no part of such a folder has that name"};
+    }
+    if (has("page.html")) not_verified_.push_back("page.html");
+    if (submission_.population) {
+      not_verified_.push_back("that population.csv is of " + submission_.population->name);
+    }
+    for (const traj::SourceFile& zone : submission_.zones) {
+      not_verified_.push_back("the zones of " + zone.name);
+    }
+    return std::nullopt;
+  }
+
+  // --- what was asked for ---------------------------------------------------------------------
+
+  std::optional<Refusal> why_method_differs() {
+    if (traj::to_json_line(submission_) != file("submission.json")) {
+      return Refusal{"submission.json", "it has members or a form that nobody reads"};
+    }
+    const traj::SubmissionMethod& method = submission_.method;
+    map_.emplace(cli::open_map(name_of("map.boxmap"), geom::Verified::contents));
+    if (method.made_for.map != map_->hash() || method.made_for.frame != map_->spec().frame.axes) {
+      return Refusal{"submission.json",
+                     fmt::format("it is for another map than map.boxmap, {}", map_->hash())};
+    }
+    if (method.risk.dimension != operation_.uas.dimension ||
+        method.endurance != operation_.uas.endurance) {
+      return Refusal{"submission.json",
+                     "its dimension and endurance are not those of the operation"};
+    }
+    if (!traj::autopilots_of(method.autopilot)) {
+      return Refusal{"submission.json", "it names an autopilot that nobody knows"};
+    }
+    if (submission_.flights != claims_.size()) {
+      return Refusal{"submission.json", fmt::format("it names {} flights, and claims.jsonl {}",
+                                                    submission_.flights, claims_.size())};
+    }
+    if (submission_.population) {
+      std::istringstream in(file("population.csv"));
+      const traj::Population population = traj::read_population(in, name_of("population.csv"));
+      if (traj::population_csv(population) != file("population.csv")) {
+        return Refusal{"population.csv", "its numbers are not written as this program writes them"};
+      }
+      people_.emplace(population, method.origin);
+    }
+    return std::nullopt;
+  }
+
+  // --- flights --------------------------------------------------------------------------------
+
+  struct Item {
+    std::size_t index = 0;
+    std::string text = {};  // its record
+    std::string certificate = {};
+    cli::SubmittedFlight mission = {};
+    std::optional<Refusal> refusal = {};
+  };
+
+  std::optional<Refusal> why_flights_refused() {
+    const traj::SubmissionMethod& method = submission_.method;
+    geom::Scenes scenes(*map_, {method.made_for.vehicle, method.made_for.margin},
+                        geom::Differences::refused, geom::CollisionOptions().budget);
+    const cli::SubmittedFlights open(scenes, method);
+    std::vector<Item> items;
+    for (const std::string& line :
+         has("flights.jsonl") ? lines_of(file("flights.jsonl")) : std::vector<std::string>()) {
+      items.push_back({items.size(), line});
+    }
+    const std::vector<std::string> certificates = has("certificates.jsonl")
+                                                      ? lines_of(file("certificates.jsonl"))
+                                                      : std::vector<std::string>();
+    if (certificates.size() != items.size()) {
+      return Refusal{"certificates.jsonl", fmt::format("it has {}, and flights.jsonl {}",
+                                                       geom::counted(certificates.size(), "line"),
+                                                       geom::counted(items.size(), "line"))};
+    }
+    for (Item& item : items) item.certificate = certificates[item.index] + '\n';
+    for (const std::string& name : submission_.missions) {
+      for (auto& mission : open.of_mission(file("missions/" + name), "missions/" + name)) {
+        items.push_back({items.size(), {}, {}, std::move(mission)});
+      }
+    }
+    if (items.size() != claims_.size()) {
+      return Refusal{"claims.jsonl", fmt::format("it has {}, and there are {}",
+                                                 geom::counted(claims_.size(), "line"),
+                                                 geom::counted(items.size(), "flight"))};
+    }
+    return first_refusal(open, items);
+  }
+
+  std::optional<Refusal> first_refusal(const cli::SubmittedFlights& open,
+                                       std::vector<Item>& items) const {
+    std::optional<Refusal> first;
+    std::size_t next_item = 0;
+    const auto next = [&]() -> std::optional<Item> {
+      if (first || next_item == items.size()) return std::nullopt;
+      return std::move(items[next_item++]);
+    };
+    const auto work = [&](Item& item) {
+      const bool record = !item.mission.flight;
+      const cli::SubmittedFlight flight =
+          record ? open.of_record(item.text, name_of("flights.jsonl"), item.index + 1)
+                 : std::move(item.mission);
+      item.refusal = why_refused(*flight.flight, claims_[item.index], item.certificate);
+    };
+    geom::in_order<Item>(common_.execution("flights"), kFolderFlights, next, work, [&](Item& item) {
+      if (!first) first = std::move(item.refusal);
+    });
+    return first;
+  }
+
+  std::optional<Refusal> why_refused(const traj::SubmittedFlight& flight,
+                                     const traj::FlightClaims& claims,
+                                     const std::string& certificate) const {
+    const std::string& id = flight.report().id;
+    if (const std::string why = flight.refusal(); !why.empty()) {
+      return Refusal{
+          "flights.jsonl",
+          id + ": " +
+              (traj::accepted(flight.report()) ? why : traj::in_words(flight.report(), *map_))};
+    }
+    if (!has(claims.volumes) || !has(claims.risk)) {
+      return Refusal{"claims.jsonl", id + ": its volumes or risk volumes are not in the folder"};
+    }
+    const std::string volumes = file(claims.volumes);
+    std::istringstream in(volumes);
+    const geom::IntentVolumes intent = geom::read_intent_volumes(in, name_of(claims.volumes));
+    if (traj::volumes_json(intent) != volumes) {
+      return Refusal{claims.volumes, "it is not written as this program writes volumes"};
+    }
+    if (const auto why = flight.why_not_held(intent)) return Refusal{claims.volumes, *why};
+    if (auto why = why_risk_differs(flight, intent, claims)) return why;
+    const auto* trajectory = dynamic_cast<const traj::SubmittedTrajectory*>(&flight);
+    if (trajectory && trajectory->certificate() != certificate) {
+      return Refusal{"certificates.jsonl", id + ": its certificate is not the one of its proof"};
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Refusal> why_risk_differs(const traj::SubmittedFlight& flight,
+                                          const geom::IntentVolumes& intent,
+                                          const traj::FlightClaims& claims) const {
+    const std::string text = file(claims.risk);
+    const traj::ReadRisk risk = traj::read_risk_geojson(text, name_of(claims.risk));
+    if (traj::risk_geojson(flight.report().id, intent, risk.volumes) != text) {
+      return Refusal{claims.risk,
+                     "it is of another flight, or its flight geography is not that of "
+                     "the volumes"};
+    }
+    const traj::RiskTask task = flight.risk_task();
+    if (const auto why = traj::why_risk_not_held(intent, risk.volumes, task, claims.risk)) {
+      return Refusal{claims.risk, *why};
+    }
+    traj::FlightClaims derived = flight.claims(intent, risk.volumes);
+    derived.volumes = claims.volumes;
+    derived.risk = claims.risk;
+    if (people_) {
+      const traj::Exposed exposed = people_->exposed(risk.volumes.buffers);
+      if (!exposed.inside) {
+        return Refusal{"population.csv", claims.id +
+                                             ": its cells do not reach as far as the "
+                                             "ground risk buffer"};
+      }
+      derived.people = exposed.people;
+      derived.people_unknown = exposed.unknown;
+    }
+    const std::string expected = traj::to_json_line(derived);
+    if (traj::to_json_line(claims) == expected) return std::nullopt;
+    return Refusal{"claims.jsonl", fmt::format("{}: what follows from the other files is {}",
+                                               claims.id, expected.substr(0, expected.size() - 1))};
+  }
+
+  // --- scripts --------------------------------------------------------------------------------
+
+  std::optional<Refusal> why_scripts_differ() {
+    for (const cli::VerifyScript& one : cli::verify_scripts()) {
+      const std::string name = "verify/" + std::string(one.name);
+      if (!has(name) || file(name) == one.text) continue;
+      if (submission_.made_by == "skyway " SKYWAY_VERSION) {
+        return Refusal{name, "it is not the script of this version of Skyway"};
+      }
+      not_verified_.push_back(name);
+    }
+    return std::nullopt;
+  }
+
+  const cli::Common& common_;
+  fs::path path_;
+  std::string hash_;
+  std::vector<traj::ListedFile> listed_;
+  std::set<std::string> names_;
+  traj::Operation operation_;
+  traj::Submission submission_;
+  std::vector<traj::FlightClaims> claims_;
+  std::optional<geom::BoxMap> map_;
+  std::optional<traj::PopulationOnMap> people_;
+  std::vector<std::string> not_verified_;
+};
+
+}  // namespace
+
+bool is_folder(const CLI::App& app, const std::string& path) {
+  std::error_code error;
+  if (!fs::is_directory(path, error)) return false;
+  static const std::set<std::string> with{"map",        "--output", "--threads",
+                                          "--progress", "--stats",  "--quiet"};
+  for (const CLI::Option* option : app.get_options()) {
+    const std::string name = option->get_single_name().size() > 1 && option->get_positional()
+                                 ? option->get_single_name()
+                                 : "--" + option->get_single_name();
+    if (option->count() == 0 || with.contains(name)) continue;
+    throw cli::UsageError(fmt::format(
+        "{} is a folder, which is checked as its own files say: leave {} out", path, name));
+  }
+  return true;
+}
+
+cli::Exit check_folder(const cli::Common& common, const std::string& path,
+                       const std::string& report) {
+  Folder folder(common, path);
+  const std::optional<Refusal> refusal = folder.refusal();
+  geom::JsonLine line;
+  line.add("type", "folder_report").add("ok", !refusal).add("manifest", folder.hash());
+  if (refusal) {
+    line.add("file", refusal->file).add("reason", refusal->why);
+    cli::complain("skyway-check", refusal->file + ": refused: " + refusal->why);
+  } else {
+    line.add("flights", folder.flights())
+        .add("files", folder.files())
+        .add("not_verified", folder.not_verified());
+  }
+  cli::OutputFile out(report, cli::OutputKind::text);
+  out.stream() << line.line();
+  out.commit();
+  common.write_stats({{"flights", folder.flights()}, {"ok", !refusal}});
+  return refusal ? cli::Exit::no : cli::Exit::yes;
+}
+
+}  // namespace checking

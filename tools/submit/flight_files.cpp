@@ -1,0 +1,123 @@
+#include "flight_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+#include <utility>
+
+#include "cli/content/drone_file.h"
+#include "cli/file/files.h"
+#include "geom/base/error.h"
+#include "geom/base/in_order.h"
+#include "geom/text/record_lines.h"
+#include "traj/record/verdict.h"
+#include "traj/submit/risk_geojson.h"
+
+namespace submitting {
+namespace {
+
+constexpr std::size_t kHeld = 64;     // flights at a time
+constexpr std::size_t kMostTold = 5;  // refusals, on stderr
+constexpr const char* kWritten = "what was written";
+
+}  // namespace
+
+// The volumes are proved as they are read back from their text.
+FlightFiles::Made FlightFiles::make(const cli::SubmittedFlight& one,
+                                    const geom::BoxMap& map) const {
+  const traj::SubmittedFlight& flight = *one.flight;
+  Made out;
+  out.id = flight.report().id;
+  out.refusal = flight.refusal();
+  if (!out.refusal.empty()) {
+    if (!traj::accepted(flight.report())) out.refusal = traj::in_words(flight.report(), map);
+    return out;
+  }
+  out.volumes = traj::volumes_json(flight.intent());
+  std::istringstream in(out.volumes);
+  const geom::IntentVolumes intent = geom::read_intent_volumes(in, kWritten);
+  if (const auto why = flight.why_not_held(intent)) {
+    out.refusal = *why;
+    return out;
+  }
+  out.risk =
+      traj::risk_geojson(out.id, intent, traj::risk_volumes(intent, flight.risk_task(), out.id));
+  const traj::ReadRisk risk = traj::read_risk_geojson(out.risk, kWritten);
+  if (const auto why =
+          traj::why_risk_not_held(intent, risk.volumes, flight.risk_task(), kWritten)) {
+    out.refusal = *why;
+    return out;
+  }
+  out.claims = flight.claims(intent, risk.volumes);
+  out.buffers = risk.volumes.buffers;
+  if (const auto* trajectory = dynamic_cast<const traj::SubmittedTrajectory*>(&flight)) {
+    out.certificate = trajectory->certificate();
+  }
+  return out;
+}
+
+void FlightFiles::take(Made made, const std::string& source) {
+  if (!made.refusal.empty()) {
+    if (++refused_ > kMostTold) return;
+    cli::complain("skyway-submit", fmt::format("{}: refused: {}", made.id, made.refusal));
+    return;
+  }
+  const std::string name = names_.of(made.id, source);
+  made.claims.volumes = cli::volumes_file(name);
+  made.claims.risk = cli::risk_file(name);
+  folder_.add(made.claims.volumes, made.volumes);
+  folder_.add(made.claims.risk, made.risk);
+  records_ += made.record;
+  certificates_ += made.certificate;
+  claims_.push_back(std::move(made.claims));
+  buffers_.push_back(std::move(made.buffers));
+}
+
+void FlightFiles::add(const std::string& path, const geom::BoxMap& map) {
+  cli::InputFile file(path);
+  cli::DroneFileOptions kind;
+  kind.settle(file);
+  if (kind.is_flight_log()) {
+    throw geom::InputError(file.name(),
+                           {.expected = "trajectories or a mission", .found = "a flight log"});
+  }
+  if (!kind.format.empty()) {
+    return add_mission(path, file.read_all(), map);
+  }
+  struct Item {
+    geom::RecordLine line;
+    Made made = {};
+  };
+  geom::RecordLines lines(file.stream(), file.name());
+  const auto next = [&]() -> std::optional<Item> {
+    if (auto line = lines.next()) return Item{*std::move(line)};
+    return std::nullopt;
+  };
+  const auto work = [&](Item& item) {
+    item.made = make(flights_.of_record(item.line.text, file.name(), item.line.number), map);
+    item.made.record = item.line.text + '\n';
+  };
+  geom::in_order<Item>(common_.execution("flights"), kHeld, next, work,
+                       [&](Item& item) { take(std::move(item.made), file.name()); });
+}
+
+void FlightFiles::add_mission(const std::string& path, const std::string& text,
+                              const geom::BoxMap& map) {
+  const std::string name = std::filesystem::path(path).filename().string();
+  if (std::find(missions_.begin(), missions_.end(), name) != missions_.end()) {
+    throw cli::UsageError(fmt::format("two missions are named {}: rename one", name));
+  }
+  for (const auto& one : flights_.of_mission(text, path)) of_missions_.push_back(make(one, map));
+  missions_.push_back(name);
+  folder_.add("missions/" + name, text);
+}
+
+void FlightFiles::write() {
+  for (Made& one : of_missions_) take(std::move(one), "missions");
+  if (!records_.empty()) folder_.add("flights.jsonl", records_);
+  if (!certificates_.empty()) folder_.add("certificates.jsonl", certificates_);
+}
+
+}  // namespace submitting

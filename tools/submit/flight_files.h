@@ -1,0 +1,68 @@
+#pragma once
+
+// The flights of a folder: proved one by one, and their files.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/content/submitted_flights.h"
+#include "cli/run.h"
+#include "geom/text/output_names.h"
+#include "submission_folder.h"
+#include "traj/submit/submission.h"
+
+namespace submitting {
+
+class FlightFiles {
+ public:
+  // All must outlive this.
+  FlightFiles(const cli::Common& common, const cli::SubmittedFlights& flights,
+              SubmissionFolder& folder)
+      : common_(common), flights_(flights), folder_(folder) {}
+
+  // Reads a file to its end: records, or a mission. Refusals are told on stderr.
+  void add(const std::string& path, const geom::BoxMap& map);
+
+  // flights.jsonl, missions/ and certificates.jsonl; once, after all were added.
+  void write();
+
+  std::size_t refused() const { return refused_; }
+  std::size_t count() const { return claims_.size(); }  // after write() of all
+  bool has_records() const { return !records_.empty(); }
+  const std::vector<std::string>& missions() const { return missions_; }
+  std::vector<traj::FlightClaims>& claims() { return claims_; }  // in their order
+  // The ground risk buffers of each of them.
+  const std::vector<std::vector<traj::RiskVolume>>& buffers() const { return buffers_; }
+
+ private:
+  // What a flight came to.
+  struct Made {
+    std::string id;
+    std::string refusal;  // empty: none
+    std::string record;   // its line
+    std::string volumes;
+    std::string risk;
+    std::string certificate;
+    traj::FlightClaims claims;
+    std::vector<traj::RiskVolume> buffers;
+  };
+
+  Made make(const cli::SubmittedFlight& flight, const geom::BoxMap& map) const;
+  void take(Made made, const std::string& source);
+  void add_mission(const std::string& path, const std::string& text, const geom::BoxMap& map);
+
+  const cli::Common& common_;
+  const cli::SubmittedFlights& flights_;
+  SubmissionFolder& folder_;
+  geom::OutputNames names_{"%s", "--output"};
+  std::string records_;
+  std::string certificates_;
+  std::vector<std::string> missions_;
+  std::vector<traj::FlightClaims> claims_;
+  std::vector<std::vector<traj::RiskVolume>> buffers_;
+  std::vector<Made> of_missions_;  // after those of the records
+  std::size_t refused_ = 0;
+};
+
+}  // namespace submitting

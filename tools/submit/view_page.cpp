@@ -1,0 +1,25 @@
+#include "view_page.h"
+
+#include "cli/content/contents.h"
+#include "view/layers.h"
+#include "view/page.h"
+
+namespace submitting {
+
+std::string view_page(const cli::Common& common, const std::vector<std::string>& files,
+                      const traj::SubmissionMethod& method, const std::string& title) {
+  cli::DroneFileOptions missions{.format = cli::kAuto};
+  missions.reading.placement.origin = method.origin;
+  missions.reading.placement.geoid = method.geoid;
+  missions.reading.placement.ground = method.ground;
+  missions.reading.rules.return_height = method.return_height;
+  const cli::ContentKinds kinds{
+      .archives = true, .drone_files = &missions, .expected = "a trajectory or a mission"};
+  const cli::Contents contents = cli::read_contents(files, kinds);
+  view::Bundle bundle;
+  const view::Json meta =
+      view::describe(contents, {}, cli::VehicleOptions(), common.execution("pairs"), bundle);
+  return view::page(title, meta, bundle);
+}
+
+}  // namespace submitting
