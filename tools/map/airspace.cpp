@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/file/files.h"
+#include "cli/option/ground_option.h"
 #include "cli/option/numbers_option.h"
 #include "cli/option/option_check.h"
 #include "cli/tell.h"
@@ -14,7 +15,6 @@
 #include "geom/import/volume_keep_out.h"
 #include "geom/text/counted.h"
 #include "geom/text/instant.h"
-#include "geom/zone/ground_band.h"
 #include "geom/zone/read_zones.h"
 #include "geom/zone/zone_boxes.h"
 #include "geom/zone/zone_report.h"
@@ -49,11 +49,6 @@ std::optional<double> number_in(std::string_view text) {
   return numbers ? std::optional((*numbers)[0]) : std::nullopt;
 }
 
-geom::GroundModel ground_of(const std::string& word) {
-  if (const auto z = number_in(word)) return geom::GroundModel::flat(*z);
-  return geom::read_ground(word);
-}
-
 geom::GroundBand band_of(const Airspace& airspace) {
   geom::GroundBand band{
       .low = {}, .high = {}, .step = airspace.step, .close_unknown = airspace.close_unknown};
@@ -68,13 +63,9 @@ geom::GroundBand band_of(const Airspace& airspace) {
     }
   }
   if (!airspace.agl.empty()) {
-    const auto both = cli::parse_numbers(airspace.agl, 2);
-    if (!both || (*both)[0] >= (*both)[1]) {
-      throw cli::UsageError("--agl: expected LOW,HIGH, metres above the ground, found \"" +
-                            airspace.agl + '"');
-    }
-    band.low = (*both)[0];
-    band.high = band.high ? std::min(*band.high, (*both)[1]) : (*both)[1];
+    const geom::GroundBand both = cli::band_from(airspace.agl);
+    band.low = both.low;
+    band.high = std::min(*both.high, band.high.value_or(*both.high));
   }
   return band;
 }
@@ -138,7 +129,8 @@ void warn_of_open(const geom::ZoneFile& file, const geom::ZoneBoxes& boxes, cons
 }
 
 void warn_of_schedules(const geom::ZoneFile& file, const geom::ZoneBoxes& boxes,
-                   const geom::ZoneRoom& room, const std::string& name, const cli::Common& common) {
+                       const geom::ZoneRoom& room, const std::string& name,
+                       const cli::Common& common) {
   std::size_t timed = 0;
   for (const geom::NearZone& near : boxes.near) timed += !file.zones[near.index].periods.empty();
   if (timed > 0 && !room.clock.epoch) {
@@ -206,9 +198,7 @@ void Airspace::add_to(CLI::App& app) {
                  "schedules of zones are worked out so many days before and after the epoch; "
                  "beyond, such zones are closed always (default 7)")
       ->check(CLI::Range(1, 400));
-  app.add_option("--ground", ground,
-                 "the ground that heights above ground count from: a file of skyway-footprints "
-                 "--ground-of, or the map's z of flat ground, metres");
+  app.add_option("--ground", ground, cli::kGroundHelp);
   app.add_option("--ceiling", ceiling, "close what is higher above the ground, metres: 120agl");
   app.add_option("--agl", agl, "close what is lower or higher above the ground, metres: LOW,HIGH");
   app.add_option("--step", step,
@@ -238,17 +228,9 @@ void Airspace::refuse_idle(const CLI::App& app) const {
 void patch_airspace(const Airspace& airspace, const AirspaceHeights& heights, geom::MapPatch& patch,
                     const cli::Common& common, Json& stats) {
   if (!airspace.any()) return;
-  const auto ground = airspace.ground.empty()
-                          ? std::optional<geom::GroundModel>()
-                          : std::optional<geom::GroundModel>(ground_of(airspace.ground));
-  if (ground && !ground->is_flat()) {
-    geom::require_same_frame(*ground, patch.spec().frame, airspace.ground);
-    patch.note("ground", {{"file", ground->spec().source},
-                          {"hash", ground->spec().hash},
-                          {"error", ground->spec().error},
-                          {"cell", ground->spec().cell}});
-  }
-  if (ground && ground->is_flat()) patch.note("ground", {{"flat", ground->range({}).low}});
+  const auto ground = airspace.ground.empty() ? std::optional<geom::GroundModel>()
+                                              : std::optional(cli::ground_from(airspace.ground));
+  if (ground) cli::note_ground(*ground, airspace.ground, patch);
   patch.note_cut_to_bounds();
   if (!airspace.zones.empty()) {
     geom::ZoneRoom room = room_of(airspace, heights, patch.spec());
@@ -257,10 +239,7 @@ void patch_airspace(const Airspace& airspace, const AirspaceHeights& heights, ge
   }
   const geom::GroundBand band = band_of(airspace);
   if (!band.low && !band.high) return;
-  stats["ground_band"] = patch.add(
-      "ground_band", geom::ground_band_boxes(band, *ground, patch.spec(), airspace.ground));
-  if (band.low) patch.note("agl_low", *band.low);
-  if (band.high) patch.note("agl_high", *band.high);
+  stats["ground_band"] = cli::close_band(band, *ground, airspace.ground, patch);
 }
 
 }  // namespace verbs

@@ -25,7 +25,7 @@ constexpr Group kGroups[] = {
      "--departure=SECONDS --id=NAME --terrain --where=SQL --height-attribute=NAME "
      "--types=TYPE,... --label-by --model-path=FOLDER --without=NAME --fence --keep-out "
      "--keep-out-local --add "
-     "--zones --type=TYPE,... --days=COUNT map--ground=FILE|METRES --zero-sea=METRES "
+     "--zones --type=TYPE,... --days=COUNT map--ground=FILE|METRES plan--ground=FILE|METRES --zero-sea=METRES "
      "--remove=IDS|FILE --far --metres --crs --units --vertical-units --height-units "
      "--ground-of --vertical-error=METRES footprints--cell=METRES --default-height=METRES "
      "--storey=METRES --classes cloud--origin footprints--origin=LAT,LON "
