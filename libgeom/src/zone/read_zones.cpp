@@ -16,7 +16,6 @@ bool has(std::string_view head, std::string_view word) {
 }  // namespace
 
 constexpr Format kEd269Zones{
-    .word = "ed-269",
     .what = "zones of airspace (EUROCAE ED-269)",
     .begins =
         [](std::string_view head) {
@@ -39,7 +38,6 @@ constexpr Format kEd318Zones{.word = "ed-318",
                              .advice = "skyway-map patch MAP --zones FILE closes them in a map"};
 
 constexpr Format kFaaFacilityMap{
-    .word = "faa-uasfm",
     .what = "a UAS facility map of the FAA",
     .begins =
         [](std::string_view head) {
