@@ -1,9 +1,11 @@
 #include "airspace.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <charconv>
+#include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "cli/file/files.h"
@@ -13,6 +15,7 @@
 #include "cli/tell.h"
 #include "geom/base/sha256.h"
 #include "geom/import/volume_keep_out.h"
+#include "geom/map/geoid_grid.h"
 #include "geom/text/counted.h"
 #include "geom/text/instant.h"
 #include "geom/zone/read_zones.h"
@@ -70,19 +73,76 @@ geom::GroundBand band_of(const Airspace& airspace) {
   return band;
 }
 
+// Where packages put the grids, the finest first.
+std::vector<std::string> grids_of(const std::string& word) {
+  std::vector<std::string> out;
+  const auto add = [&](std::initializer_list<const char*> names) {
+    for (const char* name : names) {
+      for (const char* folder : {"/usr/local/share/GeographicLib", "/usr/share/GeographicLib"}) {
+        out.push_back(fmt::format("{}/geoids/{}.pgm", folder, name));
+      }
+    }
+  };
+  if (word == "egm96") {
+    add({"egm96-5", "egm96-15"});
+    out.emplace_back("/usr/share/proj/egm96_15.gtx");
+  } else if (word == "egm2008") {
+    add({"egm2008-1", "egm2008-2_5", "egm2008-5"});
+  } else {
+    out.push_back(word);
+  }
+  return out;
+}
+
+// The geoid above the ellipsoid, anywhere over the map.
+geom::ZeroOffset geoid_of(const std::string& word, const geom::BoxMapSpec& spec, Json& note) {
+  if (const auto metres = number_in(word)) {
+    if (!(std::abs(*metres) <= 200)) {
+      throw cli::UsageError("--geoid: expected metres within 200, found \"" + word + '"');
+    }
+    note = *metres;
+    return {*metres, *metres};
+  }
+  const std::vector<std::string> paths = grids_of(word);
+  for (const std::string& path : paths) {
+    if (!std::filesystem::exists(path)) continue;
+    std::ifstream file(path, std::ios::binary);
+    const geom::GeoidGrid grid = geom::read_geoid_grid(file, path);
+    const geom::SunArea area = geom::area_of(spec);
+    const auto range = grid.over({area.south, area.north, area.west, area.east});
+    if (!range) {
+      throw geom::InputError(path, {.says = "the grid does not know the geoid all over the map"});
+    }
+    note = {{"grid", std::filesystem::path(path).filename().string()},
+            {"least", range->least},
+            {"most", range->most}};
+    return {range->least, range->most};
+  }
+  throw cli::UsageError(fmt::format(
+      "--geoid: expected metres, or the grid of a geoid (egm96, egm2008 or a file, .gtx or .pgm), "
+      "found \"{}\", of which there is no file {}: geographiclib-get-geoids of the package "
+      "geographiclib-tools gets grids",
+      word, fmt::join(paths, ", ")));
+}
+
 // What the map's z of a height above the ellipsoid and above the sea is.
 geom::ZoneRoom room_of(const Airspace& airspace, const AirspaceHeights& heights,
-                       const geom::BoxMapSpec& spec) {
+                       const geom::BoxMapSpec& spec, Json& note) {
   geom::ZoneRoom room{.spec = spec, .ground = nullptr, .sea = {}, .ellipsoid = {}};
   std::optional<double> zero = heights.zero_height;
   if (!zero && geom::knows_height(spec.frame)) zero = spec.frame.origin->height;
   if (airspace.zero_sea) {
     room.sea = geom::ZeroOffset{-*airspace.zero_sea, -*airspace.zero_sea};
   }
-  if (airspace.zero_sea && airspace.geoid && !zero) zero = *airspace.zero_sea + *airspace.geoid;
+  std::optional<geom::ZeroOffset> geoid;
+  if (!airspace.geoid.empty()) geoid = geoid_of(airspace.geoid, spec, note);
   if (zero) room.ellipsoid = geom::ZeroOffset{-*zero, -*zero};
-  if (zero && airspace.geoid && !room.sea) {
-    room.sea = geom::ZeroOffset{*airspace.geoid - *zero, *airspace.geoid - *zero};
+  if (!zero && airspace.zero_sea && geoid) {
+    room.ellipsoid =
+        geom::ZeroOffset{-*airspace.zero_sea - geoid->most, -*airspace.zero_sea - geoid->least};
+  }
+  if (zero && geoid && !room.sea) {
+    room.sea = geom::ZeroOffset{geoid->least - *zero, geoid->most - *zero};
   }
   room.slack = heights.slack;
   room.step = airspace.step;
@@ -210,9 +270,10 @@ void Airspace::add_to(CLI::App& app) {
                  "height of the map's z = 0 above the sea level, metres; 0 where the map counts "
                  "from the sea")
       ->check(CLI::Range(-1e4, 1e5));
-  app.add_option("--geoid", geoid,
-                 "height of the sea level (geoid) above the ellipsoid there, metres")
-      ->check(CLI::Range(-200.0, 200.0));
+  app.add_option(
+      "--geoid", geoid,
+      "height of the sea level (geoid) above the ellipsoid: metres, or the grid of egm96, "
+      "egm2008 or a file (.gtx, .pgm)");
 }
 
 void Airspace::refuse_idle(const CLI::App& app) const {
@@ -233,7 +294,9 @@ void patch_airspace(const Airspace& airspace, const AirspaceHeights& heights, ge
   if (ground) cli::note_ground(*ground, airspace.ground, patch);
   patch.note_cut_to_bounds();
   if (!airspace.zones.empty()) {
-    geom::ZoneRoom room = room_of(airspace, heights, patch.spec());
+    Json geoid;
+    geom::ZoneRoom room = room_of(airspace, heights, patch.spec(), geoid);
+    if (!geoid.is_null()) patch.note("geoid", geoid);
     room.ground = ground ? &*ground : nullptr;
     patch_zones(airspace, room, patch, common, stats);
   }

@@ -187,6 +187,8 @@ class Closing {
 
 }  // namespace
 
+SunArea area_of(const BoxMapSpec& spec) { return zone::area_of(spec); }
+
 std::string label_of(const Zone& zone) {
   return fmt::format("zone {} {}{}{}", zone.identifier, name(zone.type),
                      zone.name.empty() ? "" : ": ", zone.name);

@@ -71,6 +71,10 @@ struct ZoneBoxes {
 // would be needed.
 ZoneBoxes zone_boxes(const ZoneFile& file, const std::string& source, const ZoneRoom& room);
 
+// The area of the map's bounds on Earth, a little larger. Precondition: the map counts from its
+// origin.
+SunArea area_of(const BoxMapSpec& spec);
+
 // "zone CH-1 PROHIBITED: Airport": what its boxes are labelled with.
 std::string label_of(const Zone& zone);
 
