@@ -25,24 +25,13 @@ constexpr Format kEd269Zones{
     .readers = kReaders,
     .advice = "skyway-map patch MAP --zones FILE closes them in a map"};
 
-constexpr Format kEd318Zones{.word = "ed-318",
-                             .what = "zones of airspace (EUROCAE ED-318)",
-                             .begins =
-                                 [](std::string_view head) {
-                                   return has(head, "\"FeatureCollection\"") &&
-                                          (has(head, "\"zoneAuthority\"") ||
-                                           has(head, "\"limitedApplicability\"") ||
-                                           has(head, "\"lowerReference\""));
-                                 },
+// Both begin as any GeoJSON does.
+constexpr Format kEd318Zones{.what = "zones of airspace (EUROCAE ED-318)",
                              .readers = kReaders,
                              .advice = "skyway-map patch MAP --zones FILE closes them in a map"};
 
 constexpr Format kFaaFacilityMap{
     .what = "a UAS facility map of the FAA",
-    .begins =
-        [](std::string_view head) {
-          return has(head, "\"FeatureCollection\"") && has(head, "\"CEILING\"");
-        },
     .readers = kReaders,
     .advice = "skyway-map patch MAP --zones FILE closes its cells in a map"};
 

@@ -3,11 +3,12 @@
 // The ground of a map, from a height model.
 //
 // Example:
-//   geom::gis::GroundOptions options{.cell = 5, .error = 1.5};
+//   geom::BoxMapSpec spec;
+//   spec.bounds = {{-60, -60, 0}, {60, 60, 700}};
+//   spec.frame.origin = geom::GeodeticOrigin{46.979985, 7.450026, 0};
 //   const geom::GroundModel ground =
-//       geom::gis::ground_of_map("terrain.tif", map.spec(), options);
-//   std::ofstream file("city.ground");
-//   geom::write_ground(file, ground);
+//       geom::gis::ground_of_map("town-ground.tif", spec, {.cell = 10, .error = 1.5});
+//   assert(ground.range({{0, 0}, {50, 50}}).all_known);
 
 #include <string>
 

@@ -1,7 +1,6 @@
 #pragma once
 
-// How high the sea level (geoid) is above the ellipsoid, from a grid of EGM96, EGM2008 or a
-// country.
+// Grids that say how high the sea level (geoid) is above the ellipsoid.
 //
 // Example:
 //   std::ifstream file("/usr/share/proj/egm96_15.gtx", std::ios::binary);
