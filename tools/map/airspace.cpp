@@ -96,13 +96,6 @@ std::vector<std::string> grids_of(const std::string& word) {
 
 // The geoid above the ellipsoid, anywhere over the map.
 geom::ZeroOffset geoid_of(const std::string& word, const geom::BoxMapSpec& spec, Json& note) {
-  if (const auto metres = number_in(word)) {
-    if (!(std::abs(*metres) <= 200)) {
-      throw cli::UsageError("--geoid: expected metres within 200, found \"" + word + '"');
-    }
-    note = *metres;
-    return {*metres, *metres};
-  }
   const std::vector<std::string> paths = grids_of(word);
   for (const std::string& path : paths) {
     if (!std::filesystem::exists(path)) continue;
@@ -119,8 +112,8 @@ geom::ZeroOffset geoid_of(const std::string& word, const geom::BoxMapSpec& spec,
     return {range->least, range->most};
   }
   throw cli::UsageError(fmt::format(
-      "--geoid: expected metres, or the grid of a geoid (egm96, egm2008 or a file, .gtx or .pgm), "
-      "found \"{}\", of which there is no file {}: geographiclib-get-geoids of the package "
+      "--geoid-grid: expected the grid of a geoid (egm96, egm2008 or a file, .gtx or .pgm), found "
+      "\"{}\", of which there is no file {}: geographiclib-get-geoids of the package "
       "geographiclib-tools gets grids",
       word, fmt::join(paths, ", ")));
 }
@@ -135,7 +128,11 @@ geom::ZoneRoom room_of(const Airspace& airspace, const AirspaceHeights& heights,
     room.sea = geom::ZeroOffset{-*airspace.zero_sea, -*airspace.zero_sea};
   }
   std::optional<geom::ZeroOffset> geoid;
-  if (!airspace.geoid.empty()) geoid = geoid_of(airspace.geoid, spec, note);
+  if (airspace.geoid) {
+    geoid = geom::ZeroOffset{*airspace.geoid, *airspace.geoid};
+    note = *airspace.geoid;
+  }
+  if (!airspace.geoid_grid.empty()) geoid = geoid_of(airspace.geoid_grid, spec, note);
   if (zero) room.ellipsoid = geom::ZeroOffset{-*zero, -*zero};
   if (!zero && airspace.zero_sea && geoid) {
     room.ellipsoid =
@@ -174,7 +171,8 @@ void warn_of_open(const geom::ZoneFile& file, const geom::ZoneBoxes& boxes, cons
   }
   if (zero > 0) {
     common.warn(fmt::format(
-        "{}: {} limits whose zero the map does not know (above ground: --ground; above the sea: "
+        "{}: {} limits whose zero the map does not know (above ground: --ground-model; above the "
+        "sea: "
         "--zero-sea, or --zero-height and --geoid); such a limit counts as open, down to the floor "
         "or up to the top of the map",
         name, zero == 1 ? "a zone has" : fmt::format("{} zones have", zero)));
@@ -258,7 +256,7 @@ void Airspace::add_to(CLI::App& app) {
                  "schedules of zones are worked out so many days before and after the epoch; "
                  "beyond, such zones are closed always (default 7)")
       ->check(CLI::Range(1, 400));
-  app.add_option("--ground", ground, cli::kGroundHelp);
+  app.add_option("--ground-model", ground, cli::kGroundHelp);
   app.add_option("--ceiling", ceiling, "close what is higher above the ground, metres: 120agl");
   app.add_option("--agl", agl, "close what is lower or higher above the ground, metres: LOW,HIGH");
   app.add_option("--step", step,
@@ -270,19 +268,23 @@ void Airspace::add_to(CLI::App& app) {
                  "height of the map's z = 0 above the sea level, metres; 0 where the map counts "
                  "from the sea")
       ->check(CLI::Range(-1e4, 1e5));
-  app.add_option(
-      "--geoid", geoid,
-      "height of the sea level (geoid) above the ellipsoid: metres, or the grid of egm96, "
-      "egm2008 or a file (.gtx, .pgm)");
+  app.add_option("--geoid", geoid,
+                 "height of the sea level (geoid) above the ellipsoid there, metres")
+      ->check(CLI::Range(-200.0, 200.0));
+  app.add_option("--geoid-grid", geoid_grid,
+                 "the same from the grid of a geoid: egm96, egm2008, or a file of PROJ (.gtx) or "
+                 "GeographicLib (.pgm)")
+      ->excludes("--geoid");
 }
 
 void Airspace::refuse_idle(const CLI::App& app) const {
   const bool band = !ceiling.empty() || !agl.empty();
-  cli::only_for(app, !zones.empty(), {"--type", "--days", "--zero-sea", "--geoid"}, "--zones");
+  cli::only_for(app, !zones.empty(), {"--type", "--days", "--zero-sea", "--geoid", "--geoid-grid"},
+                "--zones");
   cli::only_for(app, band, {"--close-unknown"}, "--ceiling and --agl");
-  cli::only_for(app, any(), {"--ground", "--step"}, "--zones, --ceiling and --agl");
+  cli::only_for(app, any(), {"--ground-model", "--step"}, "--zones, --ceiling and --agl");
   if (band && ground.empty()) {
-    throw cli::UsageError("--ceiling and --agl count from the ground: give --ground");
+    throw cli::UsageError("--ceiling and --agl count from the ground: give --ground-model");
   }
 }
 

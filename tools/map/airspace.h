@@ -20,7 +20,8 @@ struct Airspace {
   std::string ceiling;  // "120agl"
   std::string agl;      // "LOW,HIGH"
   std::optional<double> zero_sea;
-  std::string geoid;  // metres, a name or a file; empty: not known
+  std::optional<double> geoid;
+  std::string geoid_grid;  // a name or a file
   double step = 2;
   int days = 7;
   bool close_unknown = false;

@@ -60,7 +60,7 @@ constinit const Format kLattice{
 constinit const Format kGround{.what = "the ground of a map",
                                .begins = geom::archive_of<"skyway-ground">,
                                .readers = kGroundTools,
-                               .advice = "give it with --ground"};
+                               .advice = "give it with --ground-model"};
 
 constinit const Format kPaths{
     .what = "a stream of paths", .begins = geom::json_of_type<"path">, .readers = kPathTools};

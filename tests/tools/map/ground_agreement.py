@@ -69,7 +69,7 @@ def main():
         run(tools / "skyway-footprints", folder / "ground.tif", "--ground-of", folder / "base.boxmap", "--cell", 5,
             "--vertical-error", float(ERROR), "-q", "-o", folder / "base.ground")
         # The model ends where the map does, so the cells around it are holes; none is within the bounds.
-        run(tools / "skyway-map", "patch", folder / "base.boxmap", "--ground", folder / "base.ground", "--agl",
+        run(tools / "skyway-map", "patch", folder / "base.boxmap", "--ground-model", folder / "base.ground", "--agl",
             f"{LOW},{HIGH}", "--step", 1, "-q", "-o", folder / "agl.boxmap")
         boxes = numpy.load(folder / "agl.boxmap")["boxes"]
         rnd = random.Random(seed)

@@ -275,7 +275,7 @@ class Case:
         write_hills(folder / "hills.tif", lon - dx, lat - dy, lon + dx, lat + dy)
         run(tools / "skyway-footprints", folder / "hills.tif", "--ground-of", folder / "base.boxmap", "--cell", 20,
             "--vertical-error", 0.5, "-q", "-o", folder / "hills.ground")
-        run(tools / "skyway-map", "patch", folder / "base.boxmap", "--zones", path, "--ground", folder / "hills.ground",
+        run(tools / "skyway-map", "patch", folder / "base.boxmap", "--zones", path, "--ground-model", folder / "hills.ground",
             "--zero-sea", 0, "--slack", 5, "--epoch", self.epoch.strftime("%Y-%m-%dT%H:%M:%SZ"), "-q", "-o",
             folder / "zones.boxmap")
         self.grounds = [Ground(folder / "hills.tif", by_cell) for by_cell in (False, True)]

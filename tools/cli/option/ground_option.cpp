@@ -44,16 +44,16 @@ std::size_t close_band(const geom::GroundBand& band, const geom::GroundModel& gr
 }
 
 void AglOption::add_to(CLI::App& app) {
-  app.add_option("--ground", ground_, kGroundHelp);
+  app.add_option("--ground-model", ground_, kGroundHelp);
   app.add_option("--agl", agl_,
                  "keep between these heights above the ground, metres: LOW,HIGH; the map is then "
                  "the one that skyway-map patch --agl makes");
 }
 
 void AglOption::refuse_idle(const CLI::App& app) const {
-  only_for(app, !agl_.empty(), {"--ground"}, "--agl");
+  only_for(app, !agl_.empty(), {"--ground-model"}, "--agl");
   if (!agl_.empty() && ground_.empty()) {
-    throw geom::UsageError("--agl counts from the ground: give --ground");
+    throw geom::UsageError("--agl counts from the ground: give --ground-model");
   }
 }
 

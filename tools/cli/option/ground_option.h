@@ -1,6 +1,6 @@
 #pragma once
 
-// --ground and --agl: the ground of a map, and heights above it that a vehicle keeps to.
+// --ground-model and --agl: the ground of a map, and heights above it that a vehicle keeps to.
 
 #include <CLI/CLI.hpp>
 #include <string>
