@@ -328,7 +328,7 @@ class Case:
 
 def first_day(periods):
     starts = [p["startDateTime"] for p in periods if p.get("startDateTime") and p.get("permanent") != "YES"]
-    return instant(starts[0]) if starts else datetime.datetime(2026, 1, 4, tzinfo=UTC)
+    return instant(starts[0]).astimezone(UTC) if starts else datetime.datetime(2026, 1, 4, tzinfo=UTC)
 
 
 def check(tools, path, points, seed):
