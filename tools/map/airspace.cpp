@@ -293,7 +293,10 @@ void patch_airspace(const Airspace& airspace, const AirspaceHeights& heights, ge
   if (!airspace.any()) return;
   const auto ground = airspace.ground.empty() ? std::optional<geom::GroundModel>()
                                               : std::optional(cli::ground_from(airspace.ground));
-  if (ground) cli::note_ground(*ground, airspace.ground, patch);
+  if (ground) {
+    geom::require_same_zero(*ground, heights.map, airspace.ground);
+    cli::note_ground(*ground, airspace.ground, patch);
+  }
   patch.note_cut_to_bounds();
   if (!airspace.zones.empty()) {
     Json geoid;

@@ -33,6 +33,7 @@ struct Airspace {
 
 // What else of the patch counts for zones.
 struct AirspaceHeights {
+  const geom::BoxMap& map;            // before the patch
   std::optional<double> zero_height;  // of z = 0 above the ellipsoid, metres
   double slack = 0.5;
 };

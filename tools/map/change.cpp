@@ -103,7 +103,8 @@ void run_patch(const Files& files, const Changes& changes, const cli::Common& co
   }
   cli::at_most_one_stdin(
       {files.map, changes.add, changes.keep_out, changes.fence, changes.airspace.zones});
-  geom::MapPatch patch(open(files.map, common), files.map);
+  const BoxMap map = open(files.map, common);
+  geom::MapPatch patch(map, files.map);
   Json stats;
   if (!changes.remove.empty()) stats["removed"] = patch.remove(ids_of(changes.remove));
   if (!changes.add.empty()) {
@@ -124,7 +125,7 @@ void run_patch(const Files& files, const Changes& changes, const cli::Common& co
   if (!changes.fence.empty()) {
     stats["fence"] = patch.add("fence", fence(changes.fence, patch.spec(), changes.volumes));
   }
-  patch_airspace(changes.airspace, {changes.volumes.zero_height, changes.volumes.slack}, patch,
+  patch_airspace(changes.airspace, {map, changes.volumes.zero_height, changes.volumes.slack}, patch,
                  common, stats);
   write(files, patch.made());
   common.write_stats(stats);

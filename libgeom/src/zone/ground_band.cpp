@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "geom/base/error.h"
 #include "geom/base/rounding.h"
 
@@ -83,6 +85,23 @@ BoxTable ground_band_boxes(const GroundBand& band, const GroundModel& ground,
                            const BoxMapSpec& spec, const std::string& source) {
   require_same_frame(ground, spec.frame, source);
   return Banding(band, ground, spec, source).run();
+}
+
+void require_same_zero(const GroundModel& ground, const BoxMap& map, const std::string& source) {
+  const Aabb& bounds = map.spec().bounds;
+  const GroundRange range = ground.range({bounds.min.head<2>(), bounds.max.head<2>()});
+  if (!range.any_known) return;
+  double highest = bounds.min.z();
+  for (const Aabb& box : map.boxes()) highest = std::max(highest, box.max.z());
+  const bool beside = range.low > bounds.max.z() || range.high < bounds.min.z();
+  if (!beside && (map.size() == 0 || highest >= range.low)) return;
+  throw InputError(
+      source,
+      {.expected = fmt::format("ground within the bounds, z {:.6g} to {:.6g}, and not above "
+                               "all that stands there, z {:.6g}",
+                               bounds.min.z(), bounds.max.z(), highest),
+       .found = fmt::format("ground at z {:.6g} to {:.6g}", range.low, range.high),
+       .advice = "do both count from the same zero? (docs/guide/heights.md)"});
 }
 
 }  // namespace geom

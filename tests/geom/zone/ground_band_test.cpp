@@ -74,5 +74,16 @@ TEST(GroundBandBoxes, RefuseAModelThatEndsWithinTheBounds) {
   EXPECT_THROW(ground_band_boxes({.high = 120}, slope(0), wide, "g"), InputError);
 }
 
+TEST(RequireSameZero, RefusesGroundThatIsAboveAllThatStands) {
+  BoxTable table;
+  table.add({{1, 1, 0}, {2, 2, 30}}, 0);
+  const BoxMap town(spec(), table);
+  EXPECT_NO_THROW(require_same_zero(GroundModel::flat(0), town, "g"));
+  EXPECT_NO_THROW(require_same_zero(slope(0), town, "g"));
+  EXPECT_THROW(require_same_zero(GroundModel::flat(31), town, "g"), InputError);
+  EXPECT_THROW(require_same_zero(GroundModel::flat(540), town, "g"), InputError);
+  EXPECT_THROW(require_same_zero(GroundModel::flat(-1), town, "g"), InputError);
+}
+
 }  // namespace
 }  // namespace geom

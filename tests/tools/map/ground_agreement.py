@@ -61,7 +61,7 @@ def main():
         folder = pathlib.Path(name)
         heights = write_model(folder / "ground.tif", seed)
         top = CELLS * SIDE
-        (folder / "one.csv").write_text("min_x_m,min_y_m,min_z_m,max_x_m,max_y_m,max_z_m,label\n1,1,0,2,2,1,\n")
+        (folder / "one.csv").write_text("min_x_m,min_y_m,min_z_m,max_x_m,max_y_m,max_z_m,label\n1,1,0,2,2,400,\n")
 
         def run(*words):
             subprocess.run([str(w) for w in words], check=True)

@@ -266,7 +266,7 @@ class Case:
         self.half = half
         self.epoch = first + datetime.timedelta(days=self.random.randrange(300), seconds=self.random.randrange(86400))
         (folder / "one.csv").write_text(f"lat0 {lat!r}, lon0 {lon!r}\nposX,posY,posZ,halfSizeX,halfSizeY,halfSizeZ\n"
-                                        "0,0,1,1,1,1\n")
+                                        "0,0,600,1,1,1\n")  # stands above the hills
         def run(*words):
             subprocess.run([str(w) for w in words], check=True)
         bounds = f"--bounds=-{half},-{half},300,{half},{half},900"

@@ -61,6 +61,7 @@ geom::BoxMap AglOption::applied(const geom::BoxMap& map, const std::string& name
   if (agl_.empty()) return map;
   map.require(geom::Verified::contents);
   const geom::GroundModel ground = ground_from(ground_);
+  geom::require_same_zero(ground, map, ground_);
   geom::MapPatch patch(map, name);
   note_ground(ground, ground_, patch);
   patch.note_cut_to_bounds();

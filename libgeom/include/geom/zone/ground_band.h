@@ -32,4 +32,8 @@ struct GroundBand {
 BoxTable ground_band_boxes(const GroundBand& band, const GroundModel& ground,
                            const BoxMapSpec& spec, const std::string& source);
 
+// Throws InputError(source, …) where the ground and the map must count heights from different zeros:
+// all of the ground is above or below the bounds, or all that stands in the map is below the ground.
+void require_same_zero(const GroundModel& ground, const BoxMap& map, const std::string& source);
+
 }  // namespace geom
