@@ -1,9 +1,15 @@
 // skyway-footprints: building footprints, city models and height models become box maps.
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
 #include "cli/file/files.h"
 #include "cli/option/format_options.h"
 #include "cli/option/map_output.h"
 #include "cli/option/numbers_option.h"
+#include "cli/option/option_check.h"
 #include "cli/option/origin_option.h"
 #include "cli/option/output_option.h"
 #include "cli/option/units.h"
@@ -12,6 +18,7 @@
 #include "cli/tell.h"
 #include "geom/base/error.h"
 #include "geom/gis/draft_footprints.h"
+#include "geom/gis/ground_of_map.h"
 #include "geom/gis/read_footprints.h"
 #include "geom/map/map_part.h"
 
@@ -45,6 +52,9 @@ struct Options {
   std::string height_units;
   std::string label_by;
   std::string axes;
+  std::string ground_of;  // a map; empty: a map is made
+  double cell = 10;
+  double vertical_error = 0;
   CLI::Option* default_height = nullptr;
 
   void add_to(CLI::App& app);
@@ -102,6 +112,34 @@ void Options::add_to(CLI::App& app) {
                "degrees");
   cli::add_allow_skipped(app, draft.allow_skipped);
   cli::add_map_options(app, draft.map);
+  app.add_option(
+      "--ground-of", ground_of,
+      "write the ground of this box map, from a GeoTIFF of heights, for skyway-map patch "
+      "--ground-model");
+  app.add_option("--cell", cell, "side of a cell of the ground, metres (default 10)")
+      ->check(CLI::Range(0.1, 100.0));
+  app.add_option("--vertical-error", vertical_error,
+                 "how far the ground may be above or below the GeoTIFF, metres (default 0)")
+      ->check(CLI::Range(0.0, 1000.0));
+}
+
+// The ground of a map that there is, in place of a map.
+void write_ground(const Options& options, const cli::Common& common) {
+  const geom::BoxMap map = cli::open_map(options.ground_of, geom::Verified::contents);
+  geom::gis::GroundOptions ground{.cell = options.cell, .error = options.vertical_error};
+  ground.read = options.draft.read;
+  ground.open = cli::open_input;
+  const geom::GroundModel model = geom::gis::ground_of_map(options.input, map.spec(), ground);
+  const auto holes = static_cast<std::size_t>(std::count_if(
+      model.lows().begin(), model.lows().end(), [](double z) { return std::isnan(z); }));
+  if (holes > 0) {
+    common.warn(fmt::format("{}: it does not know the ground of {} of {} cells of the map",
+                            options.input, holes, model.lows().size()));
+  }
+  cli::OutputFile out(options.output, cli::OutputKind::artefact);
+  geom::write_ground(out.stream(), model);
+  out.commit();
+  common.write_stats({{"cells", model.lows().size()}, {"cells_without_ground", holes}});
 }
 
 std::optional<geom::Vec2> place_of(const std::string& origin) {
@@ -141,6 +179,11 @@ int main(int argc, char** argv) {
   sharding.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     options.settle();
+    cli::only_for(app, !options.ground_of.empty(), {"--cell", "--vertical-error"}, "--ground-of");
+    if (!options.ground_of.empty()) {
+      write_ground(options, common);
+      return cli::Exit::yes;
+    }
     sharding.begin(app, {{"file", options.input}, {"terrain", options.draft.terrain}},
                    {{"output", options.output}});
     if (const auto done = sharding.finished(common)) return *done;

@@ -3,6 +3,7 @@
 #include <set>
 #include <vector>
 
+#include "airspace.h"
 #include "cli/file/files.h"
 #include "cli/option/degrees.h"
 #include "cli/option/option_check.h"
@@ -51,6 +52,12 @@ struct Changes {
   std::string epoch;
   geom::VolumeOptions volumes;
   cli::MetresOption metres;
+  Airspace airspace;
+
+  bool any() const {
+    return !add.empty() || !remove.empty() || !keep_out.empty() || !fence.empty() ||
+           !epoch.empty() || airspace.any();
+  }
 };
 
 // "1,2,3", or a file of ids between white space and commas.
@@ -81,19 +88,23 @@ std::vector<geom::Vec3> corners_of(const BoxTable& table) {
 void refuse_idle(const CLI::App& app, const Changes& changes) {
   const bool volumes = !changes.keep_out.empty();
   cli::only_for(app, volumes, {"--keep-out-local"}, "--keep-out");
-  cli::only_for(app, volumes || !changes.fence.empty(), {"--slack", "--far"},
-                "--keep-out and --fence");
+  cli::only_for(app, volumes || !changes.fence.empty(), {"--far"}, "--keep-out and --fence");
+  cli::only_for(app, volumes || !changes.fence.empty() || !changes.airspace.zones.empty(),
+                {"--slack"}, "--keep-out, --fence and --zones");
+  changes.airspace.refuse_idle(app);
   cli::only_for(app, volumes || !changes.add.empty(), {"--metres"}, "--add and --keep-out");
 }
 
 void run_patch(const Files& files, const Changes& changes, const cli::Common& common) {
-  if (changes.add.empty() && changes.remove.empty() && changes.keep_out.empty() &&
-      changes.fence.empty() && changes.epoch.empty()) {
+  if (!changes.any()) {
     throw cli::UsageError(
-        "nothing to change: give --add, --remove, --keep-out, --fence or --epoch");
+        "nothing to change: give --add, --remove, --keep-out, --zones, --fence, --ceiling, --agl "
+        "or --epoch");
   }
-  cli::at_most_one_stdin({files.map, changes.add, changes.keep_out, changes.fence});
-  geom::MapPatch patch(open(files.map, common), files.map);
+  cli::at_most_one_stdin(
+      {files.map, changes.add, changes.keep_out, changes.fence, changes.airspace.zones});
+  const BoxMap map = open(files.map, common);
+  geom::MapPatch patch(map, files.map);
   Json stats;
   if (!changes.remove.empty()) stats["removed"] = patch.remove(ids_of(changes.remove));
   if (!changes.add.empty()) {
@@ -103,8 +114,9 @@ void run_patch(const Files& files, const Changes& changes, const cli::Common& co
     stats["added"] = patch.add("added", std::move(fresh));
   }
   if (!changes.epoch.empty()) patch.set_epoch(epoch_of(changes.epoch));
-  if (changes.volumes.zero_height && changes.keep_out.empty()) {
-    throw cli::UsageError("--zero-height: expected --keep-out with volumes of ASTM F3548");
+  if (changes.volumes.zero_height && changes.keep_out.empty() && changes.airspace.zones.empty()) {
+    throw cli::UsageError(
+        "--zero-height: expected --keep-out with volumes of ASTM F3548, or --zones");
   }
   if (!changes.keep_out.empty()) {
     stats["keep_out"] = patch.add("keep_out", keep_out(changes.keep_out, patch.spec(),
@@ -113,6 +125,8 @@ void run_patch(const Files& files, const Changes& changes, const cli::Common& co
   if (!changes.fence.empty()) {
     stats["fence"] = patch.add("fence", fence(changes.fence, patch.spec(), changes.volumes));
   }
+  patch_airspace(changes.airspace, {map, changes.volumes.zero_height, changes.volumes.slack}, patch,
+                 common, stats);
   write(files, patch.made());
   common.write_stats(stats);
 }
@@ -149,7 +163,8 @@ Verb patch(CLI::App& app, const cli::Common& common) {
       "of ASTM F3548; they become boxes labelled keep-out");
   verb->add_option(
           "--zero-height", changes->volumes.zero_height,
-          "height of the map's z = 0 above the ellipsoid, metres, for volumes of ASTM F3548")
+          "height of the map's z = 0 above the ellipsoid, metres, for volumes of ASTM F3548 "
+          "and zones")
       ->check(CLI::Range(-1e4, 1e5));
   verb->add_option("--epoch", changes->epoch,
                    "the instant that the map's times count from (RFC 3339, UTC)");
@@ -159,6 +174,7 @@ Verb patch(CLI::App& app, const cli::Common& common) {
                  "volumes and fences may lie anywhere; without it, those are refused that are not "
                  "near the map");
   changes->metres.add_to(*verb);
+  changes->airspace.add_to(*verb);
   verb->add_option("--fence", changes->fence,
                    "fences of a QGroundControl plan or a WPL file; what they forbid becomes boxes "
                    "labelled fence, from the bottom of the map to its top");

@@ -9,6 +9,8 @@
 #include "cli/batch.h"
 #include "cli/content/artefacts.h"
 #include "cli/file/files.h"
+#include "cli/option/ground_option.h"
+#include "cli/option/option_check.h"
 #include "cli/option/output_option.h"
 #include "cli/option/quality_option.h"
 #include "cli/option/scenes.h"
@@ -204,6 +206,7 @@ struct Options {
   planning::SearchOptions search;
   planning::QueriesOption asked;
   planning::HomeOption home;
+  cli::AglOption agl;
   std::string map_file;
   std::string output = "-";
 
@@ -217,6 +220,7 @@ struct Options {
     vehicle.add_to(app);
     vehicle.add_memory_to(app);
     home.add_to(app);
+    agl.add_to(app);
   }
 
   void begin(cli::Sharding& sharding, CLI::App& app) const {
@@ -246,8 +250,9 @@ cli::Exit plan_paths(Options& options, const cli::Common& common, const cli::Sha
   // A certificate stands for the map.
   const auto trust =
       search.certificate.empty() ? geom::Verified::extents : geom::Verified::contents;
-  cli::Scenes scenes(cli::open_map(options.map_file, trust, common.execution("verify")),
-                     options.vehicle, cli::Scenes::Differences::refused);
+  const geom::BoxMap map = cli::open_map(options.map_file, trust, common.execution("verify"));
+  cli::Scenes scenes(options.agl.applied(map, options.map_file), options.vehicle,
+                     cli::Scenes::Differences::refused);
   const geom::CollisionScene& scene = scenes.scene();
   const cli::Artefacts given(options.prepared);
   given.require_made_for(scene);
@@ -283,6 +288,8 @@ int main(int argc, char** argv) {
     options.home.refuse_idle(app);
     if (!options.home.asked()) options.asked.require_some(sharding.asked());
     options.search.refuse_idle(app, options.prepared);
+    options.agl.refuse_idle(app);
+    cli::only_for(app, !options.home.asked(), {"--agl"}, "paths, not ways home");
     options.begin(sharding, app);
     if (const auto done = sharding.finished(common)) return *done;
     if (options.home.asked()) return plan_home(options, app, common, sharding);

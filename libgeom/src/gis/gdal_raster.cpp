@@ -255,6 +255,41 @@ Terrain::Terrain(const std::string& path, const std::string& name, const ReadOpt
   }
 }
 
+std::optional<Terrain::Range> Terrain::surface(std::span<const Vec2> around) const {
+  constexpr double kAside = 0.01;  // cells: far more than straight sides bulge and numbers round
+  double inverse[6];
+  double forward[6];
+  std::copy(transform_, transform_ + 6, forward);
+  if (!GDALInvGeoTransform(forward, inverse)) return std::nullopt;
+  Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
+  Vec2 high = -low;
+  for (const Vec2& p : around) {
+    const Vec2 cell(inverse[0] + p.x() * inverse[1] + p.y() * inverse[2],
+                    inverse[3] + p.x() * inverse[4] + p.y() * inverse[5]);
+    if (!cell.allFinite()) return std::nullopt;
+    low = low.cwiseMin(cell);
+    high = high.cwiseMax(cell);
+  }
+  const Vec2 size(width_, height_);
+  if (!(low.minCoeff() >= -kAside && (size - high).minCoeff() >= -kAside)) return std::nullopt;
+  const auto first = [](double v) {
+    return std::max(0, static_cast<int>(std::floor(v - 0.5 - kAside)));
+  };
+  const auto last = [](double v, int n) {
+    return std::min(n - 1, static_cast<int>(std::floor(v - 0.5 + kAside)) + 1);
+  };
+  std::optional<Range> out;
+  for (int row = first(low.y()); row <= last(high.y(), height_); ++row) {
+    for (int column = first(low.x()); column <= last(high.x(), width_); ++column) {
+      const double cell = cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
+                                 static_cast<std::size_t>(column)];
+      if (std::isnan(cell)) return std::nullopt;
+      out = out ? Range{std::min(out->low, cell), std::max(out->high, cell)} : Range{cell, cell};
+    }
+  }
+  return out;
+}
+
 std::optional<Terrain::Range> Terrain::range(const Vec2& low, const Vec2& high,
                                              const std::string& crs) const {
   std::unique_ptr<OGRCoordinateTransformation> to_raster;

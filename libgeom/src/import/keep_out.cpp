@@ -46,7 +46,7 @@ class Reader {
     if (root.contains("features") && type != "\"FeatureCollection\"") {
       throw InputError(source_, {.expected = "\"type\":\"FeatureCollection\" beside \"features\"",
                                  .found = std::string(type.substr(0, 40)),
-                                 .advice = "zones of ED-269 have none, and are not read"});
+                                 .advice = "zones of ED-269 are read by --zones"});
     }
     if (type == "\"FeatureCollection\"") {
       const Json features = root.value("features", Json());

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geom/base/error.h"
+#include "geom/map/closed_within.h"
 #include "geom/map/join.h"
 #include "geom/map/map_draft.h"
 #include "geom/text/parse_json.h"
@@ -43,6 +44,18 @@ Aabb bounds_in(const Frame& frame, const SourceMap& other) {
   corner.ids = {0};
   corner.label = {0};
   return in_frame(frame, BoxMap(std::move(moved), corner), other.name).boxes.front();
+}
+
+// Zones of a map are closed within its bounds alone, and in its own frame.
+void require_closed_in_join(const SourceMap& one, const BoxMapSpec& joined) {
+  const auto closed = closed_within(one.map.spec());
+  if (!closed) return;
+  if (!(one.map.spec().frame == joined.frame)) {
+    throw InputError(one.name, {.says = "it has zones of airspace, and another origin than the "
+                                        "map that it is joined to",
+                                .advice = "join the maps before you patch the zones into them"});
+  }
+  require_closed_within(one.map.spec(), joined.bounds, one.name);
 }
 
 }  // namespace
@@ -85,6 +98,7 @@ MadeMap with_bounds(const BoxMap& map, const BoundsChange& change, const std::st
   if (change.ceiling) step["ceiling"] = spec.bounds.max.z() = *change.ceiling;
   if (change.bounds) step["bounds"] = numbers(spec.bounds = *change.bounds);
   require_bounds(spec.bounds, source);
+  require_closed_within(map.spec(), spec.bounds, source);
   spec.bounds_from = "option";
   std::size_t beyond = 0;
   for (const Aabb& box : table.boxes) beyond += !overlap(box, spec.bounds);
@@ -107,6 +121,7 @@ BoxMap join(std::span<const SourceMap> maps) {
     join_epoch(spec, other);
     spec.bounds = merged(spec.bounds, bounds_in(spec.frame, other));
   }
+  for (const SourceMap& one : maps) require_closed_in_join(one, spec);
   step["others"] = others;
   step["histories"] = histories;
   if (skipped > 0) step["skipped"] = skipped;

@@ -85,6 +85,15 @@ void MapPatch::set_epoch(const std::string& epoch) {
   step_->json["epoch"] = epoch;
 }
 
+void MapPatch::note(const char* what, const nlohmann::ordered_json& value) {
+  step_->json[what] = value;
+}
+
+void MapPatch::note_cut_to_bounds() {
+  const Aabb& b = spec_.bounds;
+  step_->json["closed_within"] = {b.min.x(), b.min.y(), b.min.z(), b.max.x(), b.max.y(), b.max.z()};
+}
+
 BoxMap MapPatch::made() const {
   if (table_.boxes.empty()) throw InputError(source_, {.says = "the patch leaves no boxes at all"});
   return derived(spec_, table_, step_->json);

@@ -19,6 +19,7 @@ constexpr Tools kRoadmapTools = {"skyway-plan", "skyway-replan", "skyway-roadmap
                                  "skyway-info"};
 constexpr Tools kLatticeTools = {"skyway-plan", "skyway-replan", "skyway-lattice", "skyway-bench",
                                  "skyway-view", "skyway-plot",   "skyway-info"};
+constexpr Tools kGroundTools = {"skyway-map", "skyway-plan"};
 constexpr Tools kPathTools = {"skyway-traj", "skyway-check", "skyway-replan",
                               "skyway-plot", "skyway-view",  "skyway-render",
                               "skyway-map",  "skyway-query", "skyway-info"};
@@ -55,6 +56,11 @@ constinit const Format kRoadmap{
     .what = "a roadmap", .begins = geom::archive_of<"skyway-roadmap">, .readers = kRoadmapTools};
 constinit const Format kLattice{
     .what = "a lattice", .begins = geom::archive_of<"skyway-lattice">, .readers = kLatticeTools};
+
+constinit const Format kGround{.what = "the ground of a map",
+                               .begins = geom::archive_of<"skyway-ground">,
+                               .readers = kGroundTools,
+                               .advice = "give it with --ground-model"};
 
 constinit const Format kPaths{
     .what = "a stream of paths", .begins = geom::json_of_type<"path">, .readers = kPathTools};
@@ -108,10 +114,10 @@ constinit const Format kVehicleProfile{.what = "a vehicle profile",
 
 geom::Formats own_formats() {
   static constexpr const Format* kTable[] = {
-      &kShard,        &kBoxMap,        &kRoadmap,   &kLattice,       &kPaths,
-      &kTrajectories, &kMoving,        &kTrees,     &kCorridors,     &kCertificates,
-      &kReports,      &kContingencies, &kFlights,   &kAnswers,       &kQueries,
-      &kQueryTable,   &kFlightLog,     &kBenchmark, &kVehicleProfile};
+      &kShard,        &kBoxMap,       &kRoadmap,       &kLattice,   &kGround,
+      &kPaths,        &kTrajectories, &kMoving,        &kTrees,     &kCorridors,
+      &kCertificates, &kReports,      &kContingencies, &kFlights,   &kAnswers,
+      &kQueries,      &kQueryTable,   &kFlightLog,     &kBenchmark, &kVehicleProfile};
   return kTable;
 }
 

@@ -8,6 +8,7 @@
 #include "geom/model/model_format.h"
 #include "geom/text/beginning.h"
 #include "geom/text/excerpt.h"
+#include "geom/zone/read_zones.h"
 #include "traj/files/drone_formats.h"
 #include "traj/files/foreign_formats.h"
 #include "traj/files/own_formats.h"
@@ -18,6 +19,7 @@ std::vector<const geom::Format*> all_formats() {
   std::vector<const geom::Format*> all;
   const auto add = [&](geom::Formats table) { all.insert(all.end(), table.begin(), table.end()); };
   add(own_formats());
+  add(geom::zone_formats());  // before other GeoJSON
   add(drone_formats());
   add(geom::formats_of(geom::box_formats()));
   add(geom::formats_of(geom::cloud_formats()));

@@ -7,6 +7,7 @@
 
 #include "geom/text/json_fields.h"
 #include "geom/text/json_line.h"
+#include "geom/zone/zone_report.h"
 #include "traj/record/duration_bound.h"
 
 namespace traj {
@@ -169,6 +170,22 @@ void refuse_unmeasured(const Limits& asked, const Vec3& place, ReportRecord& rep
   refuse(unmeasured(missing.front()), place, 0, report.result);
 }
 
+namespace {
+
+// The files of zones that were closed in the map, with their dates and hashes.
+void add_airspace(JsonLine& line, const geom::BoxMapSpec& spec) {
+  if (spec.history.find("\"zones\"") == std::string::npos) return;
+  nlohmann::ordered_json files = nlohmann::ordered_json::array();
+  for (const geom::ZoneSource& source : geom::zone_sources(spec)) {
+    nlohmann::ordered_json file = {{"file", source.file}, {"hash", source.hash}};
+    if (!source.issued.empty()) file["issued"] = source.issued;
+    files.push_back(file);
+  }
+  if (!files.empty()) line.add_json("airspace", files.dump());
+}
+
+}  // namespace
+
 bool accepted(const ReportRecord& record) {
   return record.result.ok && (!record.exact || record.exact->ok) &&
          (!record.returns || record.returns->ok());
@@ -192,6 +209,7 @@ std::string to_json_line(const ReportRecord& record, const geom::BoxMap& map) {
   if (result.looked && !map.timed().empty()) {
     line.add("timed_boxes", record.by_time ? "by_time" : "always_there");
   }
+  add_airspace(line, map.spec());
   add_extreme(line, "clearance", result.clearance);
   if (result.duration > 0) line.add("duration", result.duration);
   line.add("claimed_bound", record.claimed_bound).add("duration_bound", record.duration_bound);

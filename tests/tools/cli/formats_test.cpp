@@ -19,6 +19,7 @@
 #include "geom/gis/footprint_format.h"
 #include "geom/import/import_boxes.h"
 #include "geom/model/model_format.h"
+#include "geom/zone/read_zones.h"
 #include "traj/files/drone_formats.h"
 #include "traj/files/foreign_formats.h"
 #include "traj/files/own_formats.h"
@@ -55,6 +56,9 @@ const std::map<std::string_view, std::string> kSamples = {
     {"a box map", archive("skyway-boxmap")},
     {"a roadmap", archive("skyway-roadmap")},
     {"a lattice", archive("skyway-lattice")},
+    {"the ground of a map", archive("skyway-ground")},
+    {"zones of airspace (EUROCAE ED-269)",
+     R"({"title":"x","features":[{"identifier":"A","restriction":"PROHIBITED"}]})"},
     {"a stream of paths", record("path")},
     {"a stream of trajectories", record("trajectory")},
     {"a stream of obstacles that move", record("moving")},
@@ -186,6 +190,7 @@ std::vector<Entry> rows_of(geom::FormatRows<Row> rows) {
 
 std::vector<Table> tables() {
   return {{"Skyway's own files", entries_of(own_formats()), ""},
+          {"zones of airspace", entries_of(geom::zone_formats()), "skyway-map"},
           {"drones' files", entries_of(drone_formats()), "skyway-check"},
           {"boxes and worlds", rows_of(geom::box_formats()), "skyway-import"},
           {"point clouds", rows_of(geom::cloud_formats()), "skyway-cloud"},

@@ -25,8 +25,11 @@ constexpr Group kGroups[] = {
      "--departure=SECONDS --id=NAME --terrain --where=SQL --height-attribute=NAME "
      "--types=TYPE,... --label-by --model-path=FOLDER --without=NAME --fence --keep-out "
      "--keep-out-local --add "
+     "--zones --type=TYPE,... --days=COUNT --ground-model=FILE|METRES "
+     "--zero-sea=METRES --geoid-grid=GRID "
      "--remove=IDS|FILE --far --metres --crs --units --vertical-units --height-units "
-     "--default-height=METRES --storey=METRES --classes cloud--origin footprints--origin=LAT,LON "
+     "--ground-of --vertical-error=METRES footprints--cell=METRES --default-height=METRES "
+     "--storey=METRES --classes cloud--origin footprints--origin=LAT,LON "
      "mesh--origin --zero-height=METRES --up footprints--axes --frame --begin "
      "--noise-points --unknown --allow-skipped --collisions-only import-trajectory--gap=METRES "
      "--resolution=METRES --scale=FACTOR --all --verify --join"},
@@ -61,6 +64,7 @@ constexpr Group kGroups[] = {
      "--ground-cell=METRES --ground-slope=METRES --ground-height=METRES --ground-step=METRES "
      "--ground-widest=METRES --min-points --seal=METRES --floor=METRES --ceiling=METRES "
      "--pad=METRES --bounds --bloat-percent=PERCENT --inflate=METRES --tile=METRES --slack=METRES "
+     "map--step=METRES --agl=LOW,HIGH --close-unknown "
      "--solid --height-step=METRES --by=METRES --size=METRES "
      "--height=METRES"},
     {"Search and solver",

@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -160,6 +161,13 @@ class Terrain {
   };
   // Of the cells that the region (x and y in `crs`) may touch; nothing where none has a height.
   std::optional<Range> range(const Vec2& low, const Vec2& high, const std::string& crs) const;
+
+  // Of the surface within the rectangle around these points (x and y in the raster's own system),
+  // whether a cell has its height all over or its middle alone, with straight slopes between.
+  // Nothing where it is not known all over.
+  std::optional<Range> surface(std::span<const Vec2> around) const;
+
+  const std::string& crs() const { return crs_; }  // may be empty
 
  private:
   std::string name_;

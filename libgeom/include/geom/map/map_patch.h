@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <set>
 #include <string>
 #include <string_view>
@@ -42,6 +43,12 @@ class MapPatch {
   // The instant that the map's times count from, as geom::epoch_from() has it. Throws
   // InputError(source, …) where the map has another, which it keeps.
   void set_epoch(const std::string& epoch);
+
+  // Says in the history what the boxes under `what` come from.
+  void note(const char* what, const nlohmann::ordered_json& value);
+
+  // Says in the history that boxes were cut to the bounds that the map has now (closed_within.h).
+  void note_cut_to_bounds();
 
   const BoxMapSpec& spec() const { return spec_; }  // as far as it was changed
 

@@ -17,6 +17,7 @@ extern const geom::Format kShard;
 extern const geom::Format kBoxMap;
 extern const geom::Format kRoadmap;
 extern const geom::Format kLattice;
+extern const geom::Format kGround;
 
 // Streams of records (JSON Lines).
 extern const geom::Format kPaths;

@@ -63,7 +63,8 @@ double MissionPlaces::height(const MissionItem& item) const {
       refuse_item(source_, item,
                   {.expected = "heights above sea level or home",
                    .found = "one above terrain",
-                   .advice = "where the ground is flat, give its height"});
+                   .advice = "where the ground is flat, give its height; over other ground an "
+                             "autopilot follows terrain data of its own, which no file shows"});
     default:
       refuse_item(source_, item,
                   {.key = "frame",

@@ -58,9 +58,11 @@ TEST(Wpl, BadFilesAreRefused) {
       "m.wpl:3: expected waypoints (16, 82), take-offs (22), landings (21), loitering (17, 18, 19, "
       "31), a return (20), delays (93), payload places (94), jumps (177), speeds (178) or what is "
       "known to move nothing, found command 84");
-  EXPECT_EQ(refusal(home + "1\t0\t10\t16\t0\t0\t0\t0\t47\t8\t15\t1\n"),
-            "m.wpl:3: expected heights above sea level or home, found one above terrain: where the "
-            "ground is flat, give its height");
+  EXPECT_EQ(
+      refusal(home + "1\t0\t10\t16\t0\t0\t0\t0\t47\t8\t15\t1\n"),
+      "m.wpl:3: expected heights above sea level or home, found one above terrain: where the "
+      "ground is flat, give its height; over other ground an autopilot follows terrain data of "
+      "its own, which no file shows");
   EXPECT_EQ(refusal(home + "1\t0\t8\t16\t0\t0\t0\t0\t47\t8\t15\t1\n"),
             "m.wpl:3: frame must be 0, 3, 5, 6, 10 or 11 (above sea level, home or terrain), found "
             "8");

@@ -347,9 +347,11 @@ TEST(FlownMission, TakesHeightsAboveFlatTerrain) {
   Maker maker;
   maker.add(kWaypoint, {100, 0, 30});
   maker.mission().items.back().frame = kGlobalTerrain;
-  EXPECT_EQ(maker.refusal(),
-            "m: item 2: expected heights above sea level or home, found one above terrain: where "
-            "the ground is flat, give its height");
+  EXPECT_EQ(
+      maker.refusal(),
+      "m: item 2: expected heights above sea level or home, found one above terrain: where "
+      "the ground is flat, give its height; over other ground an autopilot follows terrain data of "
+      "its own, which no file shows");
   EXPECT_NEAR(maker.fly({.ground = 3}).path.back().z(), 23, 1e-9);
 }
 

@@ -1,0 +1,41 @@
+#pragma once
+
+// Which zones of airspace a flight is in, and when.
+//
+// Example:
+//   geom::BoxMapSpec spec{.bounds = {{-50, -50, 0}, {50, 50, 100}}};
+//   spec.frame.origin = geom::GeodeticOrigin{47.4, 8.5, 0};
+//   spec.epoch = "2026-05-04T06:00:00Z";
+//   geom::ZoneFile file;
+//   file.zones.emplace_back().volumes.emplace_back().outline.centre = {47.4, 8.5, 0};
+//   file.zones[0].volumes[0].outline.radius = 20;
+//   const std::vector<geom::PlacedTime> flight = {{{{-30, 0, 10}, {30, 1, 20}}, {0, 60}}};
+//   const auto crossed = geom::zones_crossed(file, "zones.json", {.spec = spec}, flight);
+//   assert(crossed.size() == 1 && crossed[0].index == 0);
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geom/zone/zone_boxes.h"
+
+namespace geom {
+
+// A box that holds a vehicle for a time, in the map's coordinates and seconds after its epoch.
+struct PlacedTime {
+  Aabb room;
+  TimeSpan time;
+};
+
+struct CrossedZone {
+  std::size_t index = 0;  // in the file
+  TimeSpan time;          // from the first to the last instant at which the flight may be in it
+};
+
+// Zones of all types, in the order of the file, that the flight may be in: none that it is in is
+// missing. What zone_boxes() says of what is not known holds here. Throws InputError as that does,
+// and where a part of the flight is outside the bounds of the map, where zones are not looked at.
+std::vector<CrossedZone> zones_crossed(const ZoneFile& file, const std::string& source,
+                                       ZoneRoom room, std::span<const PlacedTime> flight);
+
+}  // namespace geom

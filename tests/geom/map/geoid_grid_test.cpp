@@ -1,0 +1,96 @@
+#include "geom/map/geoid_grid.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <sstream>
+
+#include "geom/base/error.h"
+
+namespace geom {
+namespace {
+
+template <class T, class Bits>
+void append(std::string& out, T value) {
+  const Bits bits = std::bit_cast<Bits>(value);
+  for (int i = static_cast<int>(sizeof(T)) - 1; i >= 0; --i) {
+    out += static_cast<char>(bits >> (8 * i) & 0xff);
+  }
+}
+
+// Heights 10 + row + 100 * column, from 40 N 5 E in steps of a degree.
+std::string gtx(float first = 10) {
+  std::string out;
+  for (const double head : {40.0, 5.0, 1.0, 1.0}) append<double, std::uint64_t>(out, head);
+  for (const std::int32_t count : {3, 4}) append<std::int32_t, std::uint32_t>(out, count);
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      const float height =
+          row + column == 0 ? first : 10.0F + static_cast<float>(row + 20 * column);
+      append<float, std::uint32_t>(out, height);
+    }
+  }
+  return out;
+}
+
+GeoidGrid grid_of(const std::string& bytes) {
+  std::istringstream in(bytes);
+  return read_geoid_grid(in, "g");
+}
+
+TEST(GeoidGrid, BoundsTheSlopesOverAnAreaWithItsError) {
+  const GeoidGrid grid = grid_of(gtx());
+  EXPECT_EQ(grid.columns, 4U);
+  const auto range = grid.over({40.5, 41.5, 5.25, 6.5});
+  ASSERT_TRUE(range);
+  EXPECT_NEAR(range->least, 10 + 0.5 + 20 * 0.25 - 1.2, 0.001);
+  EXPECT_NEAR(range->most, 10 + 1.5 + 20 * 1.5 + 1.2, 0.001);
+  EXPECT_LT(range->least, 15.5 - 1.2);
+}
+
+TEST(GeoidGrid, KnowsNothingBeyondItsEdgesAndAtItsHoles) {
+  const GeoidGrid grid = grid_of(gtx());
+  EXPECT_FALSE(grid.over({39.9, 41, 5.25, 6.5}));
+  EXPECT_FALSE(grid.over({41, 42.1, 5.25, 6.5}));
+  EXPECT_FALSE(grid.over({41, 41.5, 4.9, 6.5}));
+  EXPECT_FALSE(grid.over({41, 41.5, 7, 8.1}));
+  EXPECT_TRUE(grid.over({40, 42, 5, 8}));
+  EXPECT_FALSE(grid_of(gtx(-88.8888F)).over({40.2, 40.8, 5.2, 5.8}));
+}
+
+TEST(GeoidGrid, GoesAroundTheEarth) {
+  std::string bytes =
+      "P5\n# Geoid\n# Offset -10\n# Scale 0.01\n# MaxBilinearError 0.5\n4 3\n65535\n";
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      const int number = 1000 + 100 * column;  // 0, 1, 2, 3 m at 0, 90, 180, 270 E
+      bytes += static_cast<char>(number >> 8);
+      bytes += static_cast<char>(number & 0xff);
+    }
+  }
+  const GeoidGrid grid = [&] {
+    GeoidGrid out;
+    std::istringstream in(bytes);
+    EXPECT_THROW(read_geoid_grid(in, "g"), InputError) << "steps of 90 degrees";
+    return out;
+  }();
+  EXPECT_TRUE(grid.heights.empty());
+  GeoidGrid around{
+      .south = -1, .west = 0, .north_step = 1, .east_step = 10, .columns = 36, .rows = 3};
+  for (int i = 0; i < 36 * 3; ++i) around.heights.push_back(static_cast<float>(i % 36));
+  const auto range = around.over({-0.5, 0.5, -5, 5});
+  ASSERT_TRUE(range);
+  EXPECT_NEAR(range->least, 0, 0.001);
+  EXPECT_NEAR(range->most, 17.5, 0.001);
+}
+
+TEST(GeoidGrid, RefusesWhatIsCutOrNone) {
+  EXPECT_THROW(grid_of(gtx().substr(0, 80)), InputError);
+  EXPECT_THROW(grid_of("P5\nno grid"), InputError);
+  EXPECT_THROW(grid_of(std::string(88, 'x')), InputError);
+}
+
+}  // namespace
+}  // namespace geom
