@@ -1,6 +1,11 @@
 #pragma once
 
-// Bends as columns of numbers, for a look at several in one loop without branches.
+// Bends as columns of numbers, for a look at several at once: four with AVX2, where the processor
+// has it, with the same bits as one by one.
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
 
 #include <array>
 #include <cstddef>
@@ -16,12 +21,15 @@ namespace plan {
 class BendLanes {
  public:
   explicit BendLanes(std::span<const Bend> bends) {
-    for (auto& column : place_) column.reserve(bends.size());
-    edge_.reserve(bends.size());
-    for (const Bend& bend : bends) {
-      for (int k = 0; k < 3; ++k) place_[static_cast<std::size_t>(k)].push_back(bend.position[k]);
-      edge_.push_back({static_cast<std::uint8_t>((bend.axis + 1) % 3),
-                       static_cast<std::uint8_t>((bend.axis + 2) % 3), bend.outward});
+    const std::size_t room = bends.size() + kLanes;  // the last look may go beyond the end
+    for (auto& column : place_) column.resize(room);
+    for (auto& column : back_) column.resize(room);
+    for (std::size_t i = 0; i < bends.size(); ++i) {
+      const Bend& bend = bends[i];
+      for (std::size_t k = 0; k < 3; ++k) place_[k][i] = bend.position[static_cast<int>(k)];
+      const auto axis = static_cast<std::size_t>(bend.axis);
+      back_[(axis + 1) % 3][i] = -bend.outward[0];
+      back_[3 + (axis + 2) % 3][i] = -bend.outward[1];
     }
   }
 
@@ -30,13 +38,23 @@ class BendLanes {
   // Writes the squared distances. Of at most BendTree::kBendsOfLeaf bends.
   unsigned reached(std::size_t first, std::size_t count, const Vec3& p, const Onward& onward,
                    double square, double* squares) const {
+#if defined(__x86_64__)
+    static const bool lanes = __builtin_cpu_supports("avx2");
+    if (lanes) return in_lanes(first, count, p, onward.terms(), square, squares);
+#endif
+    return one_by_one(first, count, p, onward, square, squares);
+  }
+
+  // The same, on any processor.
+  unsigned one_by_one(std::size_t first, std::size_t count, const Vec3& p, const Onward& onward,
+                      double square, double* squares) const {
     unsigned out = 0;
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t i = first + k;
       const Vec3 d = Vec3(place_[0][i], place_[1][i], place_[2][i]) - p;
       squares[k] = d.squaredNorm();
-      const Edge& edge = edge_[i];
-      const Across back{-d[edge.first] * edge.outward[0], -d[edge.second] * edge.outward[1]};
+      const Across back{d[0] * back_[0][i] + d[1] * back_[1][i] + d[2] * back_[2][i],
+                        d[0] * back_[3][i] + d[1] * back_[4][i] + d[2] * back_[5][i]};
       const bool yes = (squares[k] <= square) & onward.goes(d) & back.tangent();
       out |= static_cast<unsigned>(yes) << k;
     }
@@ -44,14 +62,70 @@ class BendLanes {
   }
 
  private:
-  struct Edge {
-    std::uint8_t first;  // axes across it
-    std::uint8_t second;
-    std::array<std::int8_t, 2> outward;
-  };
+  static constexpr std::size_t kLanes = 4;
+
+#if defined(__x86_64__)
+#define SKYWAY_BEND_LANES [[gnu::target("avx2")]]
+  SKYWAY_BEND_LANES static __m256d size_of(__m256d x) {
+    return _mm256_andnot_pd(_mm256_set1_pd(-0.0), x);
+  }
+
+  // Across::tangent().
+  SKYWAY_BEND_LANES static __m256d tangent(__m256d x, __m256d y) {
+    const __m256d least = _mm256_min_pd(size_of(x), size_of(y));
+    return _mm256_or_pd(_mm256_cmp_pd(_mm256_mul_pd(x, y), _mm256_setzero_pd(), _CMP_LE_OQ),
+                        _mm256_cmp_pd(least, _mm256_set1_pd(Across::kFlush), _CMP_LT_OQ));
+  }
+
+  // Onward::goes().
+  SKYWAY_BEND_LANES static __m256d goes(const __m256d* d, const Onward::Terms& on) {
+    const __m256d x = _mm256_mul_pd(d[on.first_axis], _mm256_set1_pd(on.outward[0]));
+    const __m256d y = _mm256_mul_pd(d[on.second_axis], _mm256_set1_pd(on.outward[1]));
+    const __m256d share =
+        _mm256_mul_pd(_mm256_set1_pd(on.ratio), _mm256_add_pd(size_of(x), size_of(y)));
+    const __m256d side = on.second_side
+                             ? _mm256_and_pd(_mm256_cmp_pd(x, y, _CMP_GT_OQ),
+                                             _mm256_cmp_pd(size_of(y), share, _CMP_GE_OQ))
+                             : _mm256_and_pd(_mm256_cmp_pd(x, y, _CMP_LE_OQ),
+                                             _mm256_cmp_pd(size_of(y), share, _CMP_LE_OQ));
+    return _mm256_and_pd(side, tangent(x, y));
+  }
+
+  // Of three columns, each times its part of a direction: all but one of which are 0.
+  SKYWAY_BEND_LANES static __m256d along(const std::vector<double>* columns, std::size_t i,
+                                         const __m256d* d) {
+    __m256d out = _mm256_mul_pd(_mm256_loadu_pd(columns[0].data() + i), d[0]);
+    out = _mm256_add_pd(out, _mm256_mul_pd(_mm256_loadu_pd(columns[1].data() + i), d[1]));
+    return _mm256_add_pd(out, _mm256_mul_pd(_mm256_loadu_pd(columns[2].data() + i), d[2]));
+  }
+
+  SKYWAY_BEND_LANES unsigned in_lanes(std::size_t first, std::size_t count, const Vec3& p,
+                                      const Onward::Terms& on, double square,
+                                      double* squares) const {
+    unsigned out = 0;
+    for (std::size_t k = 0; k < count; k += kLanes) {
+      __m256d d[3];
+      for (std::size_t a = 0; a < 3; ++a) {
+        d[a] = _mm256_sub_pd(_mm256_loadu_pd(place_[a].data() + first + k),
+                             _mm256_set1_pd(p[static_cast<int>(a)]));
+      }
+      // In the order of squaredNorm().
+      const __m256d apart =
+          _mm256_add_pd(_mm256_add_pd(_mm256_mul_pd(d[0], d[0]), _mm256_mul_pd(d[1], d[1])),
+                        _mm256_mul_pd(d[2], d[2]));
+      _mm256_storeu_pd(squares + k, apart);
+      const __m256d near = _mm256_cmp_pd(apart, _mm256_set1_pd(square), _CMP_LE_OQ);
+      const __m256d back = tangent(along(&back_[0], first + k, d), along(&back_[3], first + k, d));
+      const __m256d yes = _mm256_and_pd(_mm256_and_pd(near, back), goes(d, on));
+      out |= static_cast<unsigned>(_mm256_movemask_pd(yes)) << k;
+    }
+    return out & ((1u << count) - 1);
+  }
+#undef SKYWAY_BEND_LANES
+#endif
 
   std::array<std::vector<double>, 3> place_;
-  std::vector<Edge> edge_;
+  std::array<std::vector<double>, 6> back_;  // signs by axis, for the first side and the second
 };
 
 }  // namespace plan

@@ -20,7 +20,8 @@ struct Across {
   double y;
 
   // Boxes in a row are flush to the last digit only: what misses by less than a millimetre passes.
-  bool tangent() const { return (x * y <= 0) | (std::min(std::abs(x), std::abs(y)) < 1e-3); }
+  static constexpr double kFlush = 1e-3;
+  bool tangent() const { return (x * y <= 0) | (std::min(std::abs(x), std::abs(y)) < kFlush); }
   bool second_side() const { return x > y; }
   double ratio() const {
     const double sum = std::abs(x) + std::abs(y);

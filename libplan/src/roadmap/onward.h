@@ -3,6 +3,7 @@
 // Where a path may go on from a bend.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -26,6 +27,22 @@ class Onward {
         second_axis_((bend.axis + 2) % 3),
         second_(!in.second_side()) {
     ratio_ = second_ ? std::max(0.0, in.ratio() - kLoose) : std::min(1.0, in.ratio() + kLoose);
+  }
+
+  // What goes() compares, for a look at several directions at once.
+  struct Terms {
+    int first_axis;
+    int second_axis;
+    std::array<double, 2> outward;
+    bool second_side;
+    double ratio;
+  };
+  Terms terms() const {
+    return {first_axis_,
+            second_axis_,
+            {1.0 * bend_.outward[0], 1.0 * bend_.outward[1]},
+            second_,
+            ratio_};
   }
 
   // Whether a path may leave in a direction, without a branch: of many that are asked, half may.

@@ -46,7 +46,10 @@ TEST(BendLanes, AreReachedAsBendsAreOneByOne) {
     const std::size_t count = 1 + static_cast<std::size_t>(random.below(BendTree::kBendsOfLeaf));
     const double reach = random.below(2) ? 100 : 400;  // squared
     double squares[BendTree::kBendsOfLeaf];
-    const unsigned mask = BendLanes(bends).reached(3, count, from.position, onward, reach, squares);
+    const BendLanes lanes(bends);
+    const unsigned alone = lanes.one_by_one(3, count, from.position, onward, reach, squares);
+    const unsigned mask = lanes.reached(3, count, from.position, onward, reach, squares);
+    ASSERT_EQ(mask, alone);
     ASSERT_EQ(mask >> count, 0u);
     for (std::size_t k = 0; k < count; ++k) {
       const Bend& other = bends[3 + k];
