@@ -88,6 +88,7 @@ BoxTable ground_band_boxes(const GroundBand& band, const GroundModel& ground,
 }
 
 void require_same_zero(const GroundModel& ground, const BoxMap& map, const std::string& source) {
+  require_same_frame(ground, map.spec().frame, source);
   const Aabb& bounds = map.spec().bounds;
   const GroundRange range = ground.range({bounds.min.head<2>(), bounds.max.head<2>()});
   if (!range.any_known) return;

@@ -9,23 +9,13 @@ namespace {
 
 constexpr std::string_view kReaders[] = {"skyway-map"};
 
-bool has(std::string_view head, std::string_view word) {
-  return head.find(word) != std::string_view::npos;
-}
-
 }  // namespace
 
-constexpr Format kEd269Zones{
-    .what = "zones of airspace (EUROCAE ED-269)",
-    .begins =
-        [](std::string_view head) {
-          return has(head, "\"UASZoneList\"") || has(head, "\"uomDimensions\"") ||
-                 (has(head, "\"restriction\"") && has(head, "\"identifier\""));
-        },
-    .readers = kReaders,
-    .advice = "skyway-map patch MAP --zones FILE closes them in a map"};
+// They begin as GeoJSON and other JSON do, so no beginning tells of them.
+constexpr Format kEd269Zones{.what = "zones of airspace (EUROCAE ED-269)",
+                             .readers = kReaders,
+                             .advice = "skyway-map patch MAP --zones FILE closes them in a map"};
 
-// Both begin as any GeoJSON does.
 constexpr Format kEd318Zones{.what = "zones of airspace (EUROCAE ED-318)",
                              .readers = kReaders,
                              .advice = "skyway-map patch MAP --zones FILE closes them in a map"};

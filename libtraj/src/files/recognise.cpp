@@ -19,7 +19,7 @@ std::vector<const geom::Format*> all_formats() {
   std::vector<const geom::Format*> all;
   const auto add = [&](geom::Formats table) { all.insert(all.end(), table.begin(), table.end()); };
   add(own_formats());
-  add(geom::zone_formats());  // before other GeoJSON
+  add(geom::zone_formats());
   add(drone_formats());
   add(geom::formats_of(geom::box_formats()));
   add(geom::formats_of(geom::cloud_formats()));

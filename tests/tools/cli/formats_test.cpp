@@ -57,8 +57,6 @@ const std::map<std::string_view, std::string> kSamples = {
     {"a roadmap", archive("skyway-roadmap")},
     {"a lattice", archive("skyway-lattice")},
     {"the ground of a map", archive("skyway-ground")},
-    {"zones of airspace (EUROCAE ED-269)",
-     R"({"title":"x","features":[{"identifier":"A","restriction":"PROHIBITED"}]})"},
     {"a stream of paths", record("path")},
     {"a stream of trajectories", record("trajectory")},
     {"a stream of obstacles that move", record("moving")},

@@ -32,8 +32,9 @@ struct GroundBand {
 BoxTable ground_band_boxes(const GroundBand& band, const GroundModel& ground,
                            const BoxMapSpec& spec, const std::string& source);
 
-// Throws InputError(source, …) where the ground and the map must count heights from different zeros:
-// all of the ground is above or below the bounds, or all that stands in the map is below the ground.
+// Throws InputError(source, …) where the ground and the map must count heights from different
+// zeros: all of the ground is above or below the bounds, or all that stands in the map is below the
+// ground; and where the frame is not the ground's.
 void require_same_zero(const GroundModel& ground, const BoxMap& map, const std::string& source);
 
 }  // namespace geom
