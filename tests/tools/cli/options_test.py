@@ -145,7 +145,8 @@ def check_zsh(script, tool, verbs, flags):
 
 def of_one_kind(word):
     """The word for a value without what is optional, and for one of several: LAT,LON of LAT,LON[,HEIGHT]|auto."""
-    return re.sub(r"\[.*?\]| \.\.\.$", "", word).split("|")[0]
+    kind = re.sub(r"\[.*?\]| \.\.\.$", "", word).split("|")[0]
+    return "FILE" if kind == "FOLDER" else kind  # both are places to write to
 
 
 def check_one_meaning():
