@@ -138,9 +138,6 @@ class Folder {
     if (submission_.population) {
       not_verified_.push_back("that population.csv is of " + submission_.population->name);
     }
-    for (const traj::SourceFile& zone : submission_.zones) {
-      not_verified_.push_back("the zones of " + zone.name);
-    }
     return std::nullopt;
   }
 
@@ -155,6 +152,9 @@ class Folder {
     if (method.made_for.map != map_->hash() || method.made_for.frame != map_->spec().frame.axes) {
       return Refusal{"submission.json",
                      fmt::format("it is for another map than map.boxmap, {}", map_->hash())};
+    }
+    if (traj::zones_of(map_->spec()) != submission_.zones) {
+      return Refusal{"submission.json", "its zones are not those that the map's history names"};
     }
     if (method.risk.dimension != operation_.uas.dimension ||
         method.endurance != operation_.uas.endurance) {

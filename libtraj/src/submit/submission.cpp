@@ -10,6 +10,7 @@
 #include "geom/text/json_fields.h"
 #include "geom/text/json_line.h"
 #include "geom/text/parse_json.h"
+#include "geom/zone/zone_report.h"
 
 namespace traj {
 namespace {
@@ -202,6 +203,18 @@ std::string to_json_line(const Submission& submission) {
   if (submission.population) out.add("population", json_of(*submission.population));
   out.add("zones", submission.zones, [](const SourceFile& file) { return json_of(file); });
   return out.line();
+}
+
+std::vector<SourceFile> zones_of(const geom::BoxMapSpec& spec) {
+  std::vector<SourceFile> out;
+  for (const geom::ZoneSource& zone : geom::zone_sources(spec)) {
+    const std::string_view hash = zone.hash;
+    const std::string_view prefix = "sha256:";
+    out.push_back({zone.file,
+                   std::string(hash.substr(hash.starts_with(prefix) ? prefix.size() : 0)),
+                   zone.issued});
+  }
+  return out;
 }
 
 Submission read_submission(std::string_view json, std::string_view source) {

@@ -196,7 +196,9 @@ class Page {
     item("The flights were not compared with each other, nor with other traffic.");
     item(submission_.zones.empty()
              ? "No zones of airspace were looked at, other than what the map holds."
-             : "Zones are as their files say.");
+             : "Zones of airspace are as the files below say. What they close is an obstacle of "
+               "the map at "
+               "its times; what they only list stands in the map's history.");
     out_ += "</ul>\n";
   }
 

@@ -108,9 +108,14 @@ TEST(RiskVolumes, AreRefusedWhereTheyAreTooSmallOrTooShort) {
   EXPECT_TRUE(refused([](auto& bad) { bad.buffers.pop_back(); }));
   EXPECT_TRUE(refused([](auto& bad) { std::swap(bad.buffers[0].volume, bad.buffers[1].volume); }));
   for (std::size_t i = 0; i < good.buffers[0].volume.outline.ring.size(); ++i) {
-    EXPECT_TRUE(refused([i](auto& bad) {
-      auto& p = bad.buffers[0].volume.outline.ring[i];
-      p.latitude += (47.4 + 0.0003 - p.latitude) * 0.1;
+    EXPECT_TRUE(refused([i](auto& bad) {  // a corner that is drawn in
+      auto& ring = bad.buffers[0].volume.outline.ring;
+      double latitude = 0;
+      double longitude = 0;
+      for (const auto& p : ring) latitude += p.latitude, longitude += p.longitude;
+      const double count = static_cast<double>(ring.size());
+      ring[i].latitude += 0.1 * (latitude / count - ring[i].latitude);
+      ring[i].longitude += 0.1 * (longitude / count - ring[i].longitude);
     })) << i;
   }
   traj::RiskTask faster = task();

@@ -50,14 +50,19 @@ struct SourceFile {
   std::string name;
   std::string sha256;
   std::string date = {};  // as the file says; may be empty
+
+  friend bool operator==(const SourceFile&, const SourceFile&) = default;
 };
+
+// The files of zones of airspace that a map's history names, by name and hash.
+std::vector<SourceFile> zones_of(const geom::BoxMapSpec& spec);
 
 struct Submission {
   std::string made_by;  // "skyway 0.1.0"
   SubmissionMethod method;
   std::vector<std::string> missions;     // files in missions/, by name
   std::optional<SourceFile> population;  // of which population.csv is a part
-  std::vector<SourceFile> zones;         // whose restrictions were looked at
+  std::vector<SourceFile> zones;         // closed in the map: zones_of() its history
   std::size_t flights = 0;
 };
 
