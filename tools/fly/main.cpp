@@ -48,6 +48,9 @@ void check_usage(const fly::Options& options, const Inputs& inputs, const cli::S
     throw cli::UsageError(
         "--tune writes gains: it takes neither --runs nor --proved-tube nor --report-file");
   }
+  if (options.proved_tube && report.empty()) {
+    throw cli::UsageError("--proved-tube: give --report-file, which gets the radius");
+  }
   if (options.proved_tube && sharding.asked() && options.runs > 0) {
     throw cli::UsageError(
         "a shard of --runs proves nothing: give --proved-tube later, with --join");
@@ -59,6 +62,14 @@ void check_usage(const fly::Options& options, const Inputs& inputs, const cli::S
   if (options.runs > 0 && std::abs(options.mass_error) >= 1) {
     throw cli::UsageError("--mass-error must be below 1 with --runs");
   }
+}
+
+// What must not be asked alone.
+void check_needs(const CLI::App& app, const fly::Options& options, const Inputs& inputs) {
+  cli::only_for(app, options.tune, {"--cost"}, "--tune");
+  cli::only_for(app, options.proved_tube, {"--wind-spread", "--gust-most", "--gust-lag"},
+                "--proved-tube");
+  cli::only_for(app, !inputs.map.empty(), {"--metres"}, "flights over a map");
 }
 
 // "0.0118" or, where a flight was lost, that.
@@ -189,10 +200,7 @@ int main(int argc, char** argv) {
   return cli::run_tool(app, argc, argv, [&] {
     const Inputs inputs = inputs_of(files);
     check_usage(options, inputs, sharding, report);
-    cli::only_for(app, options.tune, {"--cost"}, "--tune");
-    cli::only_for(app, options.proved_tube, {"--wind-spread", "--gust-most", "--gust-lag"},
-                  "--proved-tube");
-    cli::only_for(app, !inputs.map.empty(), {"--metres"}, "flights over a map");
+    check_needs(app, options, inputs);
     if (vehicle.word.empty())
       throw cli::UsageError("no vehicle: give --vehicle, such as tello or FILE.json");
     sharding.begin(app, {{"map", inputs.map}, {"trajectories", inputs.trajectories}},

@@ -202,6 +202,8 @@ traj::Disturbances Options::disturbances(const traj::FlightOptions& flight) cons
   if (flight.wind.gusts > 0) {
     refuse("Dryden gusts (--gusts) have no bound: say --gust-most and --gust-lag");
   }
+  if (flight.hover < traj::kStep)
+    refuse("give a --hover-time of at least 0.001: the proof starts at rest");
   if (flight.periods.attitude > 4) refuse("give a --loop-period of at most 0.004");
   if (std::abs(mass_error) > 0.5) refuse("give a --mass-error of at most 0.5");
   if (flight.gains.geometric.position.minCoeff() <= 0) refuse("the position gains must be above 0");

@@ -57,15 +57,6 @@ class Reader {
     out_.zones.push_back(std::move(zone));
   }
 
-  static std::string message_of(const Json& json) {
-    std::string out;
-    for (const char* key : {"message", "restrictionConditions", "otherReasonInfo"}) {
-      const std::string text = spoken(member(json, key));
-      if (!text.empty()) out += (out.empty() ? "" : "; ") + text;
-    }
-    return out;
-  }
-
   // What is permanent is always there, whatever else stands beside it.
   static std::vector<ZonePeriod> periods_of(const Json* list, const ZonePlace& place) {
     std::vector<ZonePeriod> out;

@@ -80,15 +80,6 @@ class Reader {
     out_.zones.push_back(std::move(zone));
   }
 
-  static std::string message_of(const Json& properties) {
-    std::string out;
-    for (const char* key : {"message", "restrictionConditions", "otherReasonInfo"}) {
-      const std::string text = spoken(member(properties, key));
-      if (!text.empty()) out += (out.empty() ? "" : "; ") + text;
-    }
-    return out;
-  }
-
   static std::vector<ZonePeriod> periods_of(const Json* list, const ZonePlace& place) {
     std::vector<ZonePeriod> out;
     if (!list) return out;

@@ -193,6 +193,15 @@ std::string spoken(const Json* value) {
   return first.empty() ? joined_texts(*value) : first;
 }
 
+std::string message_of(const Json& zone) {
+  std::string out;
+  for (const char* key : {"message", "restrictionConditions", "otherReasonInfo"}) {
+    const std::string text = spoken(member(zone, key));
+    if (!text.empty()) out += (out.empty() ? "" : "; ") + text;
+  }
+  return out;
+}
+
 std::string instant_of(const Json& value, const char* key, Side side, const ZonePlace& place) {
   const std::string text = value.is_string() ? value.get<std::string>() : "";
   const SplitTime split = split_offset(text, std::min<std::size_t>(text.size(), 11));

@@ -39,6 +39,9 @@ std::string text_of(const Json& object, const char* key);
 // of a list of texts all.
 std::string spoken(const Json* value);
 
+// What a zone's members say of its conditions, joined by "; ".
+std::string message_of(const Json& zone);
+
 // An instant with an offset from UTC, as epoch_from() writes it; rounded down or up.
 enum class Side { begin, end };
 std::string instant_of(const Json& value, const char* key, Side side, const ZonePlace& place);

@@ -243,6 +243,8 @@ std::string in_words(const TubeTrouble& trouble) {
       return "with these gains the loop is not stable in hover";
     case TubeTrouble::Kind::tilt:
       return fmt::format("the vehicle may tip over at {:.4g} s", trouble.time);
+    case TubeTrouble::Kind::steps:
+      return "steps of a millisecond are too coarse for this vehicle";
     case TubeTrouble::Kind::motor:
       break;
   }

@@ -180,7 +180,7 @@ Triple<S> attitude_error(const Frame<S>& is, const Triple<S>& lag, const S& lift
           -(shrink * dot(is.x, lag)) - 0.5 * dot(dz, dx), -is.y.x + 0.5 * dot(is.x, second)};
 }
 
-// What the controller asks for now. It also notes what the thrust lacks of that.
+// The commands of this millisecond. The thrust that is missing changes with them.
 template <class S>
 Held<S> commanded(const Loop& loop, const Wanted<S>& wanted, Body<S>& body) {
   const GeometricGains& k = loop.gains;
@@ -210,16 +210,6 @@ std::array<S, 4> motors(const Quadrotor& q, const Held<S>& held) {
   return {mean - x - y - z, mean + x + y - z, mean + x - y + z, mean - x + y + z};
 }
 
-template <class S>
-Triple<S> lift_at(const GeometricGains& k, const Reference& r, const Triple<S>& position,
-                  const Triple<S>& velocity) {
-  Triple<S> out = scaled(triple(k.position), triple(r.position) - position) +
-                  scaled(triple(k.velocity), triple(r.velocity) - velocity) +
-                  triple(r.acceleration);
-  out.z = out.z + kGravity;
-  return out;
-}
-
 // Makes remainders symbols, k and the next two, so that what follows from them is known to be
 // linear.
 void name_errors(Triple<double>&, int) {}
@@ -227,6 +217,7 @@ void name_errors(Triple<TaylorModel>& t, int k) {
   t = {t.x.named(k), t.y.named(k + 1), t.z.named(k + 2)};
 }
 
+// Anything within a radius; for numbers its middle, 0.
 template <class S>
 S loose(double radius);
 template <>
@@ -350,13 +341,10 @@ template LoopStep<double> loop_step(const Loop&, const LoopState<double>&, const
 template LoopStep<TaylorModel> loop_step(const Loop&, const LoopState<TaylorModel>&,
                                          const LoopReferences&);
 
-LoopState<TaylorModel> resting(const Loop& loop, const Reference& first,
-                               const TaylorModel& lightness) {
+LoopState<TaylorModel> resting(const TaylorModel& lightness) {
   LoopState<TaylorModel> s;
-  const Triple<TaylorModel> place = {first.position.x(), first.position.y(), first.position.z()};
-  s.lift = lift_at(loop.gains, first, place, Triple<TaylorModel>{});
-  s.lag = s.lift;
-  s.lag.z = s.lag.z - kGravity * inverse(lightness);
+  s.lift.z = kGravity;
+  s.lag.z = kGravity - kGravity * inverse(lightness);
   s.lightness = lightness;
   return s;
 }

@@ -48,9 +48,9 @@ template <class S>
 LoopStep<S> loop_step(const Loop& loop, const LoopState<S>& state,
                       const LoopReferences& references);
 
-// The state of a vehicle at rest on its first reference, thrust holding its true weight.
-LoopState<TaylorModel> resting(const Loop& loop, const Reference& first,
-                               const TaylorModel& lightness);
+// The state of a vehicle at rest on a reference that rests, its heading too. Thrust holds its true
+// weight.
+LoopState<TaylorModel> resting(const TaylorModel& lightness);
 
 // The share of a gust that is left after so many milliseconds. What came meanwhile is at most the
 // rest times gust_most.

@@ -57,8 +57,8 @@ TubeCell middle_of(TubeCell cell) {
 
 ProvedTube prove_tube(const ReferenceTrack& track, const FlightOptions& options,
                       const Disturbances& d, const geom::Execution& run, const TubeOptions& tube) {
-  assert(options.law == ControlLaw::geometric && options.periods.attitude >= 1 &&
-         options.periods.attitude <= 4);
+  assert(options.hover >= kStep && options.law == ControlLaw::geometric &&
+         options.periods.attitude >= 1 && options.periods.attitude <= 4);
   ProvedTube out;
   std::vector<TubeCell> cells = {whole(d)};
   bool first = true;

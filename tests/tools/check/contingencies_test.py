@@ -5,33 +5,14 @@ import copy
 import json
 import os
 import random
-import subprocess
-import sys
 import tempfile
 
+from tool_runs import read, tool, write
 from verify_certificate import BoxMap, Refused
 from verify_contingencies import verify
 
-bin_dir = sys.argv[1]
 random.seed(12)
 PADS = [(120, 120), (-120, 100), (0, -130)]
-
-
-def tool(name, *arguments, codes=(0,)):
-    done = subprocess.run([os.path.join(bin_dir, name), *arguments], capture_output=True, text=True)
-    assert done.returncode in codes, (done.returncode, done.stderr)
-    return done
-
-
-def write(name, records):
-    with open(name, "w", encoding="utf-8") as file:
-        file.write("".join(json.dumps(r) + "\n" for r in records))
-    return name
-
-
-def read(name):
-    with open(name, encoding="utf-8") as file:
-        return [json.loads(line) for line in file]
 
 
 def make_map():

@@ -71,7 +71,7 @@ double disagreement(const FlightOptions& options, double yaw, double mass_error,
 
   std::size_t cursor = 0;
   const long before = std::lround(options.hover / kStep);
-  LoopState<double> s = numbers(resting(loop, track.at(-1, cursor), 1 / (1 + mass_error)));
+  LoopState<double> s = numbers(resting(1 / (1 + mass_error)));
   s.wind = triple(wind);
   double worst = 0;
   const long steps = std::lround((track.duration() + options.settle) / kStep);
@@ -164,7 +164,7 @@ TEST(LoopStep, BoundsEveryStep) {
 
 TEST(LoopStep, HasNoBoundForAThrustThatMayPointDown) {
   const FlightOptions options = flight_of("quad2kg");
-  LoopState<TaylorModel> state = resting(loop_of(options), {}, 1);
+  LoopState<TaylorModel> state = resting(1);
   state.lift.z = TaylorModel::symbol(kGravity, 2, 10);
   const auto step = loop_step(loop_of(options), state, {});
   EXPECT_FALSE(std::isfinite(step.state.velocity.x.radius()));

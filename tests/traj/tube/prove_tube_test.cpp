@@ -44,6 +44,45 @@ TEST(ProveTube, HoldsFlightsThatArePushedAsFarAsTheyCan) {
   expect_inside("tello", testing::line({1, 1, 0.5}, 4), {.mass_error = 1e-4});
 }
 
+// The reference jumps to a speed when the trajectory begins.
+TEST(ProveTube, HoldsATrajectoryThatBeginsMoving) {
+  State a, b;
+  a.velocity = {0.004, 0, 0};
+  b.position = {2, 1, 0};
+  expect_inside("quad2kg", {{hermite(a, b, 4)}}, {.gust_most = 0.3});
+}
+
+// The equations leave the simulator's where its steps are coarse: there is no radius then.
+TEST(ProveTube, IsHeldAgainstTheSimulator) {
+  const ReferenceTrack track(testing::line({4, 1, 0}, 4));
+  for (const double lag : {0.01, 0.005, 0.002, 0.001}) {
+    FlightOptions options = flight_of("quad2kg");
+    options.quadrotor.motor_time_constant = lag;
+    options.gains = nominal_gains(options.quadrotor, 0.6);
+    const ProvedTube tube = prove_tube(track, options, {.gust_most = 0.02}, {});
+    EXPECT_EQ(tube.trouble.has_value(), lag < 0.004) << lag;
+    if (tube.trouble) continue;
+    const Flight flight = simulate(track, options, {});
+    EXPECT_EQ(flight.saturated, 0);
+    for (std::size_t k = 0; k < flight.error.size(); ++k) {
+      EXPECT_LE(flight.error[k], tube.radius[std::min(k / 10, tube.radius.size() - 1)]);
+    }
+  }
+}
+
+// Whatever is asked for, a number is never a wrong one.
+TEST(ProveTube, GivesNoRadiusForExtremes) {
+  const ReferenceTrack track(testing::line({2, 1, 0}, 2));
+  FlightOptions options = flight_of("quad2kg");
+  options.hover = 0.05;
+  for (const double gust : {1e1, 1e3, 1e100, 1e300}) {
+    EXPECT_TRUE(prove_tube(track, options, {.gust_most = gust}, {}, {1}).trouble) << gust;
+    EXPECT_TRUE(prove_tube(track, options, {.wind_spread = gust}, {}, {1}).trouble) << gust;
+    EXPECT_TRUE(prove_tube(track, options, {.wind = {gust * 10, 0, 0}}, {}, {1}).trouble) << gust;
+  }
+  EXPECT_TRUE(prove_tube(track, options, {.mass_error = 0.5}, {}, {1}).trouble);
+}
+
 // Without disturbances it is the nominal flight's own error.
 TEST(ProveTube, IsTightWhereNothingIsUnknown) {
   const FlightOptions options = flight_of("quad2kg");

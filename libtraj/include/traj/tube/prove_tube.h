@@ -34,16 +34,17 @@ struct Disturbances {
 
 // Why nothing is proved.
 struct TubeTrouble {
-  enum class Kind { motor, tilt, unstable } kind = Kind::motor;
+  enum class Kind { motor, tilt, unstable, steps } kind = Kind::motor;
   int motor = 0;    // 1 to 4: the command of this motor may leave its range,
   double time = 0;  // s, from the trajectory's start: then,
   double room = 0;  // N, <= 0: by as much as this
 };
 
-inline constexpr geom::Words<TubeTrouble::Kind, 3> kTubeTroubleWords{{
+inline constexpr geom::Words<TubeTrouble::Kind, 4> kTubeTroubleWords{{
     {TubeTrouble::Kind::motor, "motor"},
     {TubeTrouble::Kind::tilt, "tilt"},
     {TubeTrouble::Kind::unstable, "unstable"},
+    {TubeTrouble::Kind::steps, "steps"},  // a millisecond is too coarse for the vehicle
 }};
 
 struct ProvedTube {
@@ -63,9 +64,9 @@ struct TubeOptions {
 // from the trajectory's start until the end of `options.settle`. It starts at rest, `options.hover`
 // before. `options.wind` and `options.mass_error` are not looked at.
 //
-// Preconditions: the geometric law, an attitude loop of at most 4 ms, no sensor noise or delay,
-// positive position gains. Disturbances and noise that the simulator draws from a normal
-// distribution have no bound, and no claim is made for them.
+// Preconditions: at least a millisecond of hovering before, the geometric law, an attitude loop of
+// at most 4 ms, no sensor noise or delay, positive position gains. Disturbances and noise that the
+// simulator draws from a normal distribution have no bound, and no claim is made for them.
 //
 // Cost: some 0.1 s a second of flight and cell, on a thread each. The same for any number of
 // threads.
