@@ -26,6 +26,7 @@ struct DisturbedFlight {
   std::vector<double> error;  // m, at each step from the trajectory's start on
   std::vector<Vec3> place;    // m, minus the reference
   std::vector<Vec3> velocity;
+  double tilt = 0;  // rad, the largest from the trajectory's start on
   bool saturated = false;
 };
 
@@ -53,6 +54,8 @@ inline DisturbedFlight fly(const ReferenceTrack& track, const FlightOptions& opt
       out.place.push_back(state.position - reference.position);
       out.error.push_back(out.place.back().norm());
       out.velocity.push_back(state.velocity);
+      const double upright = (state.attitude * Vec3::UnitZ()).z();
+      out.tilt = std::max(out.tilt, std::acos(std::min(upright, 1.0)));
     }
     const Measured seen{state.position, state.velocity, state.attitude, state.body_rates};
     const QuadrotorInput input{controller.command(n + before, reference, seen), fate.wind + gust};

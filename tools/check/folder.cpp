@@ -145,7 +145,9 @@ class Folder {
 
   std::optional<Refusal> why_method_differs() {
     if (traj::to_json_line(submission_) != file("submission.json")) {
-      return Refusal{"submission.json", "it has members or a form that nobody reads"};
+      return Refusal{
+          "submission.json",
+          "skyway-submit does not write it so: a member is unknown, or its form is another"};
     }
     const traj::SubmissionMethod& method = submission_.method;
     map_.emplace(cli::open_map(name_of("map.boxmap"), geom::Verified::contents));

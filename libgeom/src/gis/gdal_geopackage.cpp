@@ -68,7 +68,7 @@ void write_table(const DatasetHandle& file, const GeoTable& table, const std::st
   add_field(layer, "flight", OFTString);
   for (const std::string& name : table.numbers) add_field(layer, name, OFTReal);
   for (const std::string& name : table.texts) add_field(layer, name, OFTString);
-  gdal().start_transaction(layer);
+  if (gdal().start_transaction(layer) != OGRERR_NONE) fail(path, "it takes no rows");
   for (const GeoRow& row : table.rows) {
     if (!add_row(layer, row, table)) fail(path, "it takes no row");
   }

@@ -111,7 +111,7 @@ class Closing {
     close(volume, parts->second, part);
   }
 
-  // What of the region is within the bounds; only there does the ground count.
+  // The part of the region within the bounds. The ground elsewhere does not count.
   std::optional<Rectangle> within_bounds(const Rectangle& region) const {
     const Aabb& bounds = room_.spec.bounds;
     const Rectangle out{region.min.cwiseMax(bounds.min.head<2>()),

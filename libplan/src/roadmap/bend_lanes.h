@@ -91,7 +91,7 @@ class BendLanes {
     return _mm256_and_pd(side, tangent(x, y));
   }
 
-  // Of three columns, each times its part of a direction: all but one of which are 0.
+  // The sum of three columns, each times its coordinate of a direction along an axis.
   SKYWAY_BEND_LANES static __m256d along(const std::vector<double>* columns, std::size_t i,
                                          const __m256d* d) {
     __m256d out = _mm256_mul_pd(_mm256_loadu_pd(columns[0].data() + i), d[0]);

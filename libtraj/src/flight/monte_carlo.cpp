@@ -59,6 +59,7 @@ std::vector<RunOutcome> fly_runs(const ReferenceTrack& track, const FlightOption
     if (out[i].lost) return;
     out[i].tracking = tracking(flight, track.duration());
     out[i].saturated = flight.saturated;
+    out[i].tilt = *std::max_element(flight.tilt.begin(), flight.tilt.end());
     out[i].largest = largest_by_period(flight, track.duration());
   });
   return out;
@@ -76,6 +77,7 @@ TrackingTube tube_of(std::span<const RunOutcome> outcomes) {
   for (const RunOutcome& run : outcomes) {
     tube.tracking.push_back(run.tracking);
     tube.saturated += run.saturated / static_cast<double>(outcomes.size());
+    tube.tilt = std::max(tube.tilt, run.tilt);
   }
   std::vector<double> errors(outcomes.size());
   for (std::size_t bin = 0; bin < outcomes.front().largest.size(); ++bin) {

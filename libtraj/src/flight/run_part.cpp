@@ -14,7 +14,7 @@
 namespace traj {
 namespace {
 
-constexpr std::size_t kColumns = 9;
+constexpr std::size_t kColumns = 10;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 std::array<double, kColumns> row_of(const RunOutcome& outcome) {
@@ -27,7 +27,8 @@ std::array<double, kColumns> row_of(const RunOutcome& outcome) {
           t.arrival,
           t.final_distance,
           t.settling.value_or(kNone),
-          outcome.saturated};
+          outcome.saturated,
+          outcome.tilt};
 }
 
 RunOutcome outcome_of(std::span<const double> row) {
@@ -35,6 +36,7 @@ RunOutcome outcome_of(std::span<const double> row) {
   out.tracking = {row[0], row[1], row[2], row[3], row[4], row[5], row[6], std::nullopt};
   if (!std::isnan(row[7])) out.tracking.settling = row[7];
   out.saturated = row[8];
+  out.tilt = row[9];
   return out;
 }
 
@@ -123,9 +125,10 @@ RunOutcome JoinedRuns::outcome(const geom::ShardFile& shard, std::size_t row,
   out.lost = lost == 1;
   const auto errors = largest.subspan(begin, expected);
   out.largest.assign(errors.begin(), errors.end());
-  const bool told = std::all_of(values.begin(), values.end() - 2, possible) &&
+  const bool told = std::all_of(values.begin(), values.end() - 3, possible) &&
                     possible(out.tracking.settling.value_or(0)) && out.saturated >= 0 &&
-                    out.saturated <= 1 && std::all_of(errors.begin(), errors.end(), possible);
+                    out.saturated <= 1 && possible(out.tilt) &&
+                    std::all_of(errors.begin(), errors.end(), possible);
   if (!told) refuse();
   return out;
 }

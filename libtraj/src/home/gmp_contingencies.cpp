@@ -254,7 +254,7 @@ class Ways {
   std::vector<Obstacle> near_;
 };
 
-// The first time of the flight of which no way says anything.
+// The first time of the flight that no way home covers.
 Refused left_out(std::span<const FlightStage> stages, std::span<const ProvedWay> ways) {
   std::vector<std::pair<double, double>> times;
   for (const ProvedWay& way : ways) {

@@ -52,6 +52,7 @@ JsonLine tube(const FlightReport& r, const geom::BoxMap* map) {
   JsonLine line;
   line.add("share", tube_share(r.tube.tracking.size())).add("period", kTubePeriod);
   line.add("largest", *std::max_element(radius.begin(), radius.end()));
+  line.add("tilt", r.tube.tilt);
   if (r.tube_check) {
     line.add("clear", r.tube_check->clear);
     if (!r.tube_check->clear) add_violation(line, *r.tube_check, map);
@@ -84,7 +85,7 @@ JsonLine proved(const FlightReport& r, const geom::BoxMap* map) {
     if (trouble->motor) line.add("motor", trouble->motor).add("room", trouble->room);
     return line;
   }
-  line.add("period", kTubePeriod).add("largest", r.proved.largest);
+  line.add("period", kTubePeriod).add("largest", r.proved.largest).add("tilt", r.proved.tilt);
   if (r.proved_check) {
     line.add("clear", r.proved_check->clear);
     if (!r.proved_check->clear) add_violation(line, *r.proved_check, map);

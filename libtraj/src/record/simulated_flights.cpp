@@ -128,13 +128,25 @@ FlightReport SimulatedFlights::report_of(const Entry& entry, const ReferenceTrac
   return report;
 }
 
+// A tube in which the vehicle tilts further than its half sizes allow for: the radii with what its
+// body then reaches further. Half sizes without a body hold at every tilt.
+std::vector<double> SimulatedFlights::at_tilt(std::vector<double> radius, double tilt) const {
+  const auto& most = options_.profile.vehicle.limits[geom::Limit::tilt];
+  if (!most || !options_.profile.body || tilt <= *most) return radius;
+  const Vec3 more =
+      geom::attitude_half_sizes(*options_.profile.body, std::min(tilt, 1.5707963267948966)) -
+      geom::attitude_half_sizes(*options_.profile.body, *most);
+  for (double& r : radius) r += more.cwiseMax(0).norm();
+  return radius;
+}
+
 void SimulatedFlights::add_runs(const Entry& entry, std::span<const RunOutcome> runs,
                                 FlightReport& report) {
   report.spread = *options_.spread;
   report.tube = tube_of(runs);
   if (options_.tube && report.tube.lost == 0) {
-    report.tube_check =
-        check_tube(scene_for(entry), entry.record.trajectory, report.tube.radius, kTubePeriod);
+    report.tube_check = check_tube(scene_for(entry), entry.record.trajectory,
+                                   at_tilt(report.tube.radius, report.tube.tilt), kTubePeriod);
   }
 }
 
@@ -144,7 +156,8 @@ void SimulatedFlights::add_proof(const Entry& entry, const ReferenceTrack& track
   report.proved = prove_tube(track, options_.flight, *options_.disturbances, run);
   if (options_.tube && !report.proved.trouble) {
     report.proved_check =
-        check_tube(scene_for(entry), entry.record.trajectory, report.proved.radius, kTubePeriod);
+        check_tube(scene_for(entry), entry.record.trajectory,
+                   at_tilt(report.proved.radius, report.proved.tilt), kTubePeriod);
   }
 }
 

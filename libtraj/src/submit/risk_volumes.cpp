@@ -20,7 +20,8 @@ using geom::Volume4d;
 
 constexpr double kCentimetres = 100;
 constexpr double kThick = 0.01;  // m that a buffer is high at least
-// m, and the share of what a volume is larger by, that its outline may be off for fewer corners
+// An outline may reach further than its formula says, to have fewer corners: by so many metres,
+// plus this share of the distance by which the volume is larger.
 constexpr double kSlack = 0.05;
 constexpr double kSlackShare = 0.02;
 
@@ -184,7 +185,7 @@ std::optional<std::string> why_risk_not_held(const geom::IntentVolumes& intent,
                       *contingency.lower <= *around[i].lower &&
                       *contingency.upper >= *around[i].upper;
     if (!lasts(contingency, around[i]) || !lasts(risk.buffers[i].volume, around[i])) {
-      return fmt::format("volume {} is not there for all of the time of what it is around", i);
+      return fmt::format("volume {} lasts less long than the volume that it surrounds", i);
     }
     if (!same &&
         !holds_prism(contingency, grown(around[i], size.across, size.vertical, task, source),

@@ -72,7 +72,8 @@ SubmittedMission::SubmittedMission(const geom::CollisionScene& scene, const File
 
 std::optional<std::string> SubmittedMission::why_no_times() const {
   if (!is_mission_) {
-    return "it is no mission of which home, and the places of an autopilot or a speed, are known: "
+    return "the file does not say where home is, how fast the vehicle flies, or for which "
+           "autopilot: "
            "make a trajectory of it (skyway-import-trajectory)";
   }
   if (method_.risk.contingency == ContingencyRule::ways_home && !return_) {

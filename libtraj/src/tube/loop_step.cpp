@@ -311,6 +311,7 @@ LoopStep<S> loop_step(const Loop& loop, const LoopState<S>& s, const LoopReferen
     held.lightness = s.lightness;
     body = runge_kutta(loop.model, wanted, body, held);
     step.moved.push_back(body.moved);
+    step.upright.push_back(in_world(wanted.frame, frame_of(body, wanted).z).z);
   }
   // lift' - lift = kp (p_r' - p_r - moved) + kv (v_r' - v_r - (v' - v)) + a_r' - a_r
   const GeometricGains& k = loop.gains;

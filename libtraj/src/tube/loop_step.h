@@ -34,13 +34,14 @@ struct LoopReferences {
 };
 
 // The state a period later, and of each millisecond until then what motors are told (N), as if no
-// command were clipped, and how far the vehicle has moved (m). Remainders are infinite where a
-// thrust or a lift may point sideways.
+// command were clipped, how far the vehicle has moved (m), and its tilt. Remainders are infinite
+// where a thrust or a lift may point sideways.
 template <class S>
 struct LoopStep {
   LoopState<S> state;
   std::vector<std::array<S, 4>> commands;
   std::vector<Triple<S>> moved;  // after 1, 2, ... ms
+  std::vector<S> upright;        // after 1, 2, ... ms: the cosine of the tilt
 };
 
 // Second-order terms of the torques become symbols, from kLoopStates on, three a millisecond.

@@ -18,10 +18,11 @@ constexpr int kGust = 22;
 constexpr int kWind = 25;
 constexpr int kLightness = 28;
 
+constexpr double kPi = 3.141592653589793;
 constexpr double kLeastScale =
-    1e-9;  // of a symbol, so that slopes are known of what does not vary yet
-// In each coordinate and period, in its unit: what the simulator's steps and numbers may differ by
-// from the equations here (docs/tube.md).
+    1e-9;  // of a symbol: slopes are needed of coordinates that do not vary yet, too
+// The simulator may differ from the equations by this much in each coordinate and period, in the
+// coordinate's unit (docs/tube.md).
 constexpr double kSlack = 1e-9;
 constexpr double kAgreement = 1e-9;  // m, of the middle's flight with the simulator's
 
@@ -187,13 +188,23 @@ class CellProof {
     }
   }
 
+  void note_tilt(const LoopStep<TaylorModel>& step) {
+    for (const TaylorModel& upright : step.upright) {
+      const double least = upright.least() - kSlack;
+      out_.tilt = std::max(out_.tilt, least >= -1 ? std::acos(std::min(least, 1.0)) : kPi);
+    }
+  }
+
   void advance(long n) {
     const LoopState<TaylorModel> state = state_in_symbols();
     const Reference next = reference(n + loop_.period);
     LoopStep<TaylorModel> step = loop_step(loop_, state, {now_, next});
     look_for_saturation(n, step);
     if (out_.trouble) return;
-    if (n >= 0) note_radius(n, radius(n, step));
+    if (n >= 0) {
+      note_radius(n, radius(n, step));
+      note_tilt(step);
+    }
     if (n >= 0 && n % kStepsPerSample == 0)
       distances_.emplace_back(n / kStepsPerSample, offset().norm());
     ErrorMatrix map = ErrorMatrix::Zero();

@@ -20,6 +20,7 @@ struct TubeCell {
 
 struct CellTube {
   std::vector<double> radius;          // m, of each kTubePeriod
+  double tilt = 0;                     // rad: it never tilts further
   double damping = 1;                  // the least damping ratio of the loop in hover
   std::optional<TubeTrouble> trouble;  // then the rest is not complete
 };

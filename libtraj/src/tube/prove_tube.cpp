@@ -43,6 +43,7 @@ void add(ProvedTube& tube, const CellTube& cell) {
     tube.radius[k] = std::max(tube.radius[k], cell.radius[k]);
   }
   tube.damping = std::min(tube.damping, cell.damping);
+  tube.tilt = std::max(tube.tilt, cell.tilt);
   ++tube.cells;
 }
 

@@ -19,6 +19,7 @@ RunOutcome outcome(double seed, bool settles) {
   out.tracking = {seed, seed + 1, seed + 2, seed + 3, 0.1, seed + 4, seed + 5, std::nullopt};
   if (settles) out.tracking.settling = 0;
   out.saturated = seed / 100;
+  out.tilt = seed / 50;
   out.largest = {seed, 0, 2 * seed};
   return out;
 }
@@ -40,6 +41,7 @@ void expect_equal(const RunOutcome& a, const RunOutcome& b) {
   EXPECT_EQ(a.tracking.final_distance, b.tracking.final_distance);
   EXPECT_EQ(a.tracking.settling, b.tracking.settling);
   EXPECT_EQ(a.saturated, b.saturated);
+  EXPECT_EQ(a.tilt, b.tilt);
   EXPECT_EQ(a.largest, b.largest);
 }
 
@@ -69,7 +71,7 @@ TEST(RunPart, RefusesWhatCannotBe) {
   struct Case {
     std::string content = R"({"trajectories":1,"runs":1})";
     std::uint8_t lost = 0;
-    std::vector<double> tracking = {1, 1, 1, 1, 1, 1, 1, 1, 0.5};
+    std::vector<double> tracking = {1, 1, 1, 1, 1, 1, 1, 1, 0.5, 0.3};
     std::vector<double> largest = {1, 2, 3};
     std::vector<std::uint64_t> ends = {3};
     std::string kind = "runs";
@@ -78,7 +80,7 @@ TEST(RunPart, RefusesWhatCannotBe) {
     const auto part = [&](const geom::Shard&) -> geom::PartArrays {
       return {c.content,
               {geom::named_array<std::uint8_t>("lost", {&c.lost, 1}),
-               geom::named_array<double>("tracking", c.tracking, 9),
+               geom::named_array<double>("tracking", c.tracking, 10),
                geom::named_array<double>("largest", c.largest),
                geom::named_array<std::uint64_t>("ends", c.ends)},
               {}};
@@ -87,7 +89,7 @@ TEST(RunPart, RefusesWhatCannotBe) {
   };
   EXPECT_EQ(read({}).size(), 1u);
   const double nan = std::nan("");
-  std::vector<Case> wrong(11);
+  std::vector<Case> wrong(12);
   wrong[0].content = R"({"trajectories":2,"runs":1})";
   wrong[1].content = R"({"trajectories":1,"runs":0})";
   wrong[2].content = R"({"trajectories":-1,"runs":1})";
@@ -99,6 +101,7 @@ TEST(RunPart, RefusesWhatCannotBe) {
   wrong[8].ends = {4};
   wrong[9].ends = {3, 3};
   wrong[10].kind = "records";
+  wrong[11].tracking[9] = nan;
   for (std::size_t i = 0; i < wrong.size(); ++i) {
     EXPECT_THROW(read(wrong[i]), geom::InputError) << i;
   }

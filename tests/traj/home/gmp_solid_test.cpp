@@ -32,7 +32,7 @@ TEST(Solid, IsWithinABoxThatItTouchesFromInside) {
   EXPECT_FALSE(Solid(prism, Vec3(0, 0, 2.5)).within(whole_box({{0, 0, -1}, {3, 1, 2}})));
 }
 
-// hull_meets() calls apart only what is, and meeting what is nearer than rounding.
+// Solids that hull_meets() calls apart are apart. Solids nearer than rounding may be said to meet.
 TEST(Solid, AgreesWithRoundedNumbersOnRandomHulls) {
   support::Random random(7);
   int apart = 0;

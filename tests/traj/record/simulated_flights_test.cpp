@@ -6,6 +6,7 @@
 
 #include "support/refusal.h"
 #include "traj/flights.h"
+#include "traj/scenes.h"
 
 namespace traj {
 namespace {
@@ -93,6 +94,39 @@ TEST(SimulatedFlights, TunesOnlyWhereThereIsATrajectory) {
   flights.read(in, "s", {});
   EXPECT_NE(support::refusal_of([&] { flights.tune({}, {}); }).find("solved trajectory"),
             std::string::npos);
+}
+
+// A slab above the flight, higher than the body's half size at the profile's tilt and lower than at
+// the tilt that the flight takes.
+TEST(SimulatedFlights, HoldTubesAgainstTheMapAtTheTiltThatIsFlown) {
+  const Vec3 body(0.4, 0.4, 0.05);
+  for (const double most : {0.05, 0.9}) {
+    SimulationOptions asked = options();
+    asked.flight.law = ControlLaw::geometric;
+    asked.profile.body = body;
+    asked.profile.vehicle = {"plate", geom::attitude_half_sizes(body, 0.05)};
+    asked.profile.vehicle.limits[geom::Limit::tilt] = most;
+    if (most > 0.5) asked.profile.vehicle.limits[geom::Limit::tilt].reset();
+    asked.spread = MonteCarloOptions{3, 0};
+    asked.disturbances = Disturbances{};
+    asked.tube = true;
+    const geom::CollisionScene place =
+        testing::scene_of({{{-5, -5, 0.2}, {10, 5, 1}}}, {{-50, -50, -50}, {50, 50, 50}});
+    geom::Scenes scenes(place.map(), {asked.profile.vehicle, 0.0}, geom::Differences::allowed,
+                        1u << 30);
+    SimulatedFlights flights(asked, &scenes);
+    std::istringstream in(to_json_line(record("a", 3)));
+    flights.read(in, "s", {});
+    const auto flown = fly(flights);
+    ASSERT_EQ(flown.size(), 1u);
+    const FlightReport& report = flown[0].report;
+    ASSERT_TRUE(report.tube_check && report.proved_check);
+    EXPECT_GT(report.tube.tilt, 0.2);
+    EXPECT_GE(report.proved.tilt, report.tube.tilt - 1e-9);
+    // Without a limit the half sizes are said to hold at every tilt.
+    EXPECT_EQ(report.tube_check->clear, most > 0.5);
+    EXPECT_EQ(report.proved_check->clear, most > 0.5);
+  }
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ TEST(ErrorSet, HoldsWhatDisturbancesMayDo) {
       set.advance(map, added);
       for (std::size_t k = 0; k < errors.size(); ++k) {
         ErrorVector& e = errors[k];
-        const int row = static_cast<int>(k) * 2;  // which it makes large
+        const int row = static_cast<int>(k) * 2;  // the coordinate that this error makes large
         const bool greedy = k % 3 != 0;
         e = (map * e).eval();
         const double way = e[row] < 0 ? -1 : 1;
@@ -90,6 +90,27 @@ TEST(ErrorSet, HoldsWhatDisturbancesMayDo) {
       }
       EXPECT_LT(bounds.maxCoeff(), 100) << "a bound that grows without end says nothing";
     }
+  }
+}
+
+// Terms whose signs alternate: their mean is nothing, and all of them may still add up.
+TEST(ErrorSet, LosesNothingOfTermsThatItJoins) {
+  const int periods = 2500;
+  for (const int row : {0, 9, 14, 20}) {
+    ErrorSet set({}, ErrorVector::Zero());
+    double all = 0;
+    for (int step = 0; step < periods; ++step) {
+      const double sign = step % 2 ? 1 : -1;
+      PeriodErrors added;
+      added.gust(row, step % 3) = 0.5 * sign;
+      added.gust(3, 1) = 1;  // another row that goes on evenly
+      added.named(row, 2) = 0.25 * sign;
+      added.box[row] = 0.125;
+      set.advance(ErrorMatrix::Identity(), added);
+      all += 0.875;
+      ASSERT_GE(set.bounds()[row], all * (1 - 1e-9)) << row << " " << step;
+    }
+    EXPECT_LE(set.bounds()[row], 4 * all) << row;
   }
 }
 

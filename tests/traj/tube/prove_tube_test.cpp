@@ -30,6 +30,8 @@ void expect_inside(std::string_view vehicle, const Trajectory& trajectory, const
     const auto fate = testing::drawn_fate(random, options, d, track.duration(), k % 3);
     const auto flight = testing::fly(track, options, d, fate);
     EXPECT_FALSE(flight.saturated);
+    EXPECT_LE(flight.tilt, tube.tilt);
+    EXPECT_GT(flight.tilt, tube.tilt - 0.15) << "a bound that is far too wide";
     worst = std::max(worst, testing::worst_share(tube, flight));
   }
   EXPECT_LE(worst, 1) << vehicle;

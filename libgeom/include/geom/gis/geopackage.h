@@ -31,7 +31,7 @@ struct GeoTable {
 };
 
 // Latitude and longitude of WGS 84, heights above its ellipsoid (EPSG:4979). The file is read back,
-// and every coordinate is what was written. It must not be there yet. GDAL is loaded for it. Throws
+// and each coordinate compared. The file must not exist yet. This loads GDAL. Throws
 // std::runtime_error where GDAL is not installed, or cannot write.
 void write_geopackage(const std::string& path, std::span<const GeoTable> tables);
 

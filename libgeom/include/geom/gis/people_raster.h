@@ -25,10 +25,10 @@ struct PeopleCell {
 };
 
 // All cells of the rows and columns that hold the places between two corners (latitude, longitude),
-// and one more on each side, row by row; none where the raster does not reach there. GDAL is loaded
-// for it. Throws InputError for what is no raster of one band with a reference system, for numbers
-// below 0 that are not its value for none, and for more than 4 million cells; std::runtime_error
-// where GDAL is not installed.
+// and one more on each side, row by row; none where the raster does not reach there. This loads
+// GDAL. Throws InputError unless the file is a raster of one band with a reference system, for
+// numbers below 0 other than its value for "no data", and for more than 4 million cells;
+// std::runtime_error where GDAL is not installed.
 std::vector<PeopleCell> people_within(const std::string& path, const Vec2& low, const Vec2& high);
 
 }  // namespace geom::gis

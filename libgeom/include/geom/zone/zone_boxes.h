@@ -34,7 +34,7 @@ struct ZeroOffset {
   double most = 0;
 };
 
-// The map that zones are to be closed in, and what is known of its heights.
+// The map in which zones are closed, and the heights of its ground and sea if they are known.
 struct ZoneRoom {
   const BoxMapSpec& spec;
   const GroundModel* ground = nullptr;  // null: nobody knows the ground

@@ -32,9 +32,9 @@ struct CrossedZone {
   TimeSpan time;          // from the first to the last instant at which the flight may be in it
 };
 
-// Zones of all types, in the order of the file, that the flight may be in: none that it is in is
-// missing. What zone_boxes() says of what is not known holds here. Throws InputError as that does,
-// and where a part of the flight is outside the bounds of the map, where zones are not looked at.
+// The zones that the flight may be in, of all types, in the order of the file. No zone that the
+// flight enters is missing. Unknown heights and times count as in zone_boxes(). Throws InputError
+// as zone_boxes() does, and if a part of the flight is outside the bounds of the map.
 std::vector<CrossedZone> zones_crossed(const ZoneFile& file, const std::string& source,
                                        ZoneRoom room, std::span<const PlacedTime> flight);
 

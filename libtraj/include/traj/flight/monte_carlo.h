@@ -40,6 +40,7 @@ struct RunOutcome {
   bool lost = false;  // then the rest is empty
   Tracking tracking;
   double saturated = 0;         // share
+  double tilt = 0;              // rad, the largest
   std::vector<double> largest;  // m: the largest error in each kTubePeriod
 };
 
@@ -58,6 +59,7 @@ struct TrackingTube {
                                    // which hover behind the trajectory
   std::vector<Tracking> tracking;  // of each run
   double saturated = 0;            // mean share
+  double tilt = 0;                 // rad, the largest of all runs
 };
 
 // The tube of all runs, at least one, in their order. With fewer than 1,000 the percentile is the

@@ -45,7 +45,7 @@ std::string population_csv(const Population& population);
 
 struct Exposed {
   double people = 0;        // of all cells that are touched, each whole
-  std::size_t unknown = 0;  // cells that are touched and of which the raster says nothing
+  std::size_t unknown = 0;  // touched cells without a value in the raster
   bool inside = true;       // whether the cells reach as far as the volumes in each direction
 };
 

@@ -42,9 +42,9 @@ struct RiskVolumes {
 };
 
 // The volumes around those of an operational intent, in order. Where the vehicle stops: one around
-// each nominal volume. For ways home: the nominal and then the off-nominal volumes themselves. All
-// have the times of what they are around. Throws geom::InputError(source, …) for volumes without
-// altitudes, and for what is not near the origin.
+// each nominal volume. For ways home: the nominal and then the off-nominal volumes themselves. Each
+// lasts as long as the volume that it surrounds. Throws geom::InputError(source, …) for volumes
+// without altitudes, and for volumes far from the origin.
 RiskVolumes risk_volumes(const geom::IntentVolumes& intent, const RiskTask& task,
                          std::string_view source);
 

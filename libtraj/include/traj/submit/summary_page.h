@@ -16,8 +16,8 @@
 
 namespace traj {
 
-// Flights of which the page has a row each; of more it has those with the most people below, then
-// the least clearance.
+// The page lists so many flights at most. It prefers those with the most people below, then those
+// with the least clearance.
 inline constexpr std::size_t kMostRows = 100;
 
 // Says who flies, what is proved, what was assumed, the formulas with their numbers, the flights,

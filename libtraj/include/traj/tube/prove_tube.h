@@ -50,6 +50,7 @@ inline constexpr geom::Words<TubeTrouble::Kind, 4> kTubeTroubleWords{{
 struct ProvedTube {
   std::vector<double> radius;  // m, in each kTubePeriod (as TrackingTube's); empty without a proof
   double largest = 0;          // m
+  double tilt = 0;             // rad: it never tilts further
   std::size_t cells = 0;       // parts of the winds and masses that were proved one by one
   double damping = 1;          // the least damping ratio of the loop in hover
   std::optional<TubeTrouble> trouble;
