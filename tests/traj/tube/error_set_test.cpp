@@ -109,6 +109,7 @@ TEST(ErrorSet, LosesNothingOfTermsThatItJoins) {
       set.advance(ErrorMatrix::Identity(), added);
       all += 0.875;
       ASSERT_GE(set.bounds()[row], all * (1 - 1e-9)) << row << " " << step;
+      ASSERT_GE(set.bounds()[3], (step + 1) * (1 - 1e-9)) << row << " " << step;
     }
     EXPECT_LE(set.bounds()[row], 4 * all) << row;
   }
