@@ -7,20 +7,12 @@
 
 #include "geom/vehicle/limits.h"
 #include "traj/flight/monte_carlo.h"
-#include "tube/error_set.h"
+#include "tube/period_symbols.h"
 
 namespace traj {
 namespace {
 
-// Rows of the state.
-constexpr int kVelocity = 3;
-constexpr int kGust = 22;
-constexpr int kWind = 25;
-constexpr int kLightness = 28;
-
 constexpr double kPi = 3.141592653589793;
-constexpr double kLeastScale =
-    1e-9;  // of a symbol: slopes are needed of coordinates that do not vary yet, too
 // The simulator may differ from the equations by this much in each coordinate and period, in the
 // coordinate's unit (docs/tube.md).
 constexpr double kSlack = 1e-9;
@@ -44,9 +36,8 @@ class CellProof {
     for (int i = 0; i < 3; ++i) {
       place_(i, i) = -1 / loop_.gains.position[i];
       place_(i, kVelocity + i) = -loop_.gains.velocity[i] / loop_.gains.position[i];
-      added_.gust(kGust + i, i) = (1 - gust_kept(loop_, loop_.period)) * d.gust_most;
+      gust_(kGust + i, i) = (1 - gust_kept(loop_, loop_.period)) * d.gust_most;
     }
-    mix_ = mixing();
   }
 
   CellTube prove() {
@@ -85,57 +76,13 @@ class CellProof {
     return ErrorSet(std::move(held), box);
   }
 
-  // Symbols are the coordinates of the state, but for the gust. In its place stands the
-  // acceleration that lift and drag give together: they nearly balance, so its bound is far below
-  // theirs.
-  ErrorMatrix mixing() const {
-    ErrorMatrix out = ErrorMatrix::Identity();
-    if (drag() == 0) return out;
-    for (int i = 0; i < 3; ++i) {
-      out(kGust + i, i) = 1;
-      out(kGust + i, kVelocity + i) = -drag();
-      out(kGust + i, kGust + i) = drag();
-      out(kGust + i, kWind + i) = drag();
-    }
-    return out;
-  }
-
-  double drag() const { return loop_.model.drag.x() / loop_.model.mass; }  // 1/s
-
-  LoopState<TaylorModel> state_in_symbols() {
-    scale_ = errors_.bounds().cwiseMax(kLeastScale);
-    LoopState<TaylorModel> state;
-    for_each(state,
-             [&](int i, TaylorModel& m) { m = TaylorModel::symbol(middle_[i], i, scale_[i]); });
-    if (drag() == 0) return state;
-    const auto gust = [&](int i, const TaylorModel& lift, const TaylorModel& velocity,
-                          const TaylorModel& wind) {
-      const int row = kGust + i;
-      scale_[row] = std::max(errors_.bound(mix_.row(row).transpose()), kLeastScale);
-      const TaylorModel acceleration = TaylorModel::symbol(0, row, scale_[row]);
-      return middle_[row] + (1 / drag()) * (acceleration - (lift - middle_[i])) +
-             (velocity - middle_[kVelocity + i]) - (wind - middle_[kWind + i]);
-    };
-    state.gust = {gust(0, state.lift.x, state.velocity.x, state.wind.x),
-                  gust(1, state.lift.y, state.velocity.y, state.wind.y),
-                  gust(2, state.lift.z, state.velocity.z, state.wind.z)};
-    return state;
-  }
-
-  // A model's slopes by the coordinates of the state.
-  ErrorVector slopes(const TaylorModel& m) const {
-    ErrorVector by_symbol = ErrorVector::Zero();
-    by_symbol.head<kLoopStates>() =
-        (m.l.head<kLoopStates>() / scale_.head<kLoopStates>().array()).matrix();
-    return mix_.transpose() * by_symbol;
-  }
-
   static double named(const TaylorModel& m) {
     return m.l.tail<TaylorModel::kSymbols - kLoopStates>().abs().sum();
   }
 
   // Notes the first motor whose command may leave its range.
-  void look_for_saturation(long n, const LoopStep<TaylorModel>& step) {
+  void look_for_saturation(long n, const PeriodSymbols& symbols,
+                           const LoopStep<TaylorModel>& step) {
     const Quadrotor& q = loop_.model;
     for (std::size_t j = 0; j < step.commands.size() && !out_.trouble; ++j) {
       for (int i = 0; i < 4; ++i) {
@@ -144,7 +91,7 @@ class CellProof {
           return std::min(q.motor_most - m.c, m.c - q.motor_least) - radius;
         };
         if (room(m.radius()) > 0) continue;
-        const double left = room(errors_.bound(slopes(m)) + named(m) + m.r + kSlack);
+        const double left = room(errors_.bound(symbols.slopes(m)) + named(m) + m.r + kSlack);
         if (left > 0) continue;
         const bool upright = std::isfinite(left);
         out_.trouble = TubeTrouble{
@@ -196,10 +143,10 @@ class CellProof {
   }
 
   void advance(long n) {
-    const LoopState<TaylorModel> state = state_in_symbols();
+    const PeriodSymbols symbols(loop_.model, errors_);
     const Reference next = reference(n + loop_.period);
-    LoopStep<TaylorModel> step = loop_step(loop_, state, {now_, next});
-    look_for_saturation(n, step);
+    const LoopStep<TaylorModel> step = loop_step(loop_, symbols.state(middle_), {now_, next});
+    look_for_saturation(n, symbols, step);
     if (out_.trouble) return;
     if (n >= 0) {
       note_radius(n, radius(n, step));
@@ -207,27 +154,20 @@ class CellProof {
     }
     if (n >= 0 && n % kStepsPerSample == 0)
       distances_.emplace_back(n / kStepsPerSample, offset().norm());
-    ErrorMatrix map = ErrorMatrix::Zero();
-    added_.box.setZero();
-    for_each(step.state, [&](int i, const TaylorModel& m) {
-      if (i >= kWind) {
-        map(i, i) = 1;
-        return;
-      }
-      middle_[i] = m.c;
-      map.row(i) = slopes(m).transpose();
-      for (int k = 0; k < kNamedErrors; ++k) added_.named(i, k) = m.l[kLoopStates + k];
-      added_.box[i] = m.r + kSlack + 1e-12 * m.swing();
-    });
-    if (!(map.allFinite() && added_.named.allFinite() && added_.box.allFinite() &&
-          middle_.allFinite())) {
+    PeriodMap period = symbols.map(step.state);
+    period.added.gust = gust_;
+    if (!period.finite()) {
       out_.trouble = TubeTrouble{TubeTrouble::Kind::tilt, 0, static_cast<double>(n) * kStep, 0};
       return;
     }
-    if (n == -before_ && !settles(map)) {
+    for (int i = 0; i < kWind; ++i) {
+      middle_[i] = period.middle[i];
+      period.added.box[i] += kSlack;
+    }
+    if (n == -before_ && !settles(period.map)) {
       out_.trouble = TubeTrouble{TubeTrouble::Kind::unstable, 0, static_cast<double>(n) * kStep, 0};
     }
-    errors_.advance(map, added_);
+    errors_.advance(period.map, period.added);
     now_ = next;
   }
 
@@ -270,9 +210,7 @@ class CellProof {
   Reference now_;
   ErrorVector middle_;
   ErrorSet errors_;
-  PeriodErrors added_;
-  ErrorVector scale_ = ErrorVector::Ones();
-  ErrorMatrix mix_;
+  Eigen::Matrix<double, kErrorRows, 3> gust_ = Eigen::Matrix<double, kErrorRows, 3>::Zero();
   Eigen::Matrix<double, 3, kErrorRows> place_;
   std::vector<std::pair<long, double>> distances_;  // m of the middle, at the simulator's samples
   CellTube out_;
