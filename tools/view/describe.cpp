@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "geom/base/error.h"
 #include "layers.h"
@@ -61,6 +62,9 @@ Reach reach_of(const cli::Contents& contents) {
   for (const auto& [way, source, line] : contents.contingencies) add(way.provenance, way.points);
   for (const auto& [report, source, line] : contents.reports) {
     if (report.place) add(report.provenance, std::vector<Vec3>{*report.place});
+    if (!report.returns) continue;
+    for (const traj::TimedPlace& one : report.returns->timeline)
+      add(report.provenance, std::vector<Vec3>{one.place});
   }
   return reach;
 }
@@ -87,6 +91,21 @@ geom::Provenance made_for(const cli::Contents& contents, const traj::FlightLog& 
   return {};
 }
 
+// Reports that say when a mission is where, of missions of which no motion is known: the first of
+// each.
+std::vector<const cli::Read<traj::ReportSummary>*> timelines(const cli::Contents& contents) {
+  std::set<std::string> known;
+  for (const auto& read : contents.trajectories) known.insert(read.record.id);
+  for (const auto& read : contents.flights) known.insert(read.record.id);
+  std::vector<const cli::Read<traj::ReportSummary>*> out;
+  for (const auto& read : contents.reports) {
+    const auto& returns = read.record.returns;
+    if (!returns || returns->timeline.size() < 2) continue;
+    if (known.insert(read.record.id).second) out.push_back(&read);
+  }
+  return out;
+}
+
 Json motions(const cli::Contents& contents, const LocalFrame& frame, const Fleet& fleet,
              Clearance& clearance, Bundle& bundle) {
   Json out = Json::array();
@@ -106,6 +125,10 @@ Json motions(const cli::Contents& contents, const LocalFrame& frame, const Fleet
     const double seconds = log.samples.back().time - log.samples.front().time;
     out.push_back(flight_layer(read, samples_of(seconds, count), provenance,
                                axes_of(contents, provenance), frame, clearance, bundle));
+  }
+  for (const auto* read : timelines(contents)) {
+    out.push_back(
+        timeline_layer(read->record, axes_of(contents, read->record.provenance), frame, bundle));
   }
   return out;
 }

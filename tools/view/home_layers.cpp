@@ -38,6 +38,21 @@ Json return_layer(const traj::ReturnSummary& returns, geom::Axes axes, const Loc
   return out;
 }
 
+Json timeline_layer(const traj::ReportSummary& report, geom::Axes axes, const LocalFrame& frame,
+                    Bundle& bundle) {
+  std::vector<float> time, position;
+  for (const traj::TimedPlace& one : report.returns->timeline) {
+    time.push_back(static_cast<float>(one.time));
+    append(position, frame.at(axes, one.place));
+  }
+  return {{"id", report.id},
+          {"kind", "mission"},
+          {"duration", report.returns->duration},
+          {"samples", time.size()},
+          {"time", bundle.add(std::span<const float>(time))},
+          {"position", bundle.add(std::span<const float>(position))}};
+}
+
 Json contingency_layer(const traj::ContingencyRecord& way, geom::Axes axes, const LocalFrame& frame,
                        Bundle& bundle) {
   Json out = {{"id", way.id}, {"from", way.from}, {"until", way.until}};

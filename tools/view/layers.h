@@ -59,6 +59,9 @@ Json corridor_layer(const traj::CorridorShape& corridor, geom::Axes axes, const 
                     Bundle& bundle);
 Json report_layer(const traj::ReportSummary& report, geom::Axes axes, const LocalFrame& frame);
 Json return_layer(const traj::ReturnSummary& returns, geom::Axes axes, const LocalFrame& frame);
+// The way of a mission in the times that a report gives it: a motion without derivatives.
+Json timeline_layer(const traj::ReportSummary& report, geom::Axes axes, const LocalFrame& frame,
+                    Bundle& bundle);
 Json contingency_layer(const traj::ContingencyRecord& way, geom::Axes axes, const LocalFrame& frame,
                        Bundle& bundle);
 

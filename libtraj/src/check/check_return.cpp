@@ -31,6 +31,7 @@ ReturnReport prove(const geom::CollisionScene& scene, FlightReturn flight,
   flight.task.start = rules.start;
   if (rules.home) flight.task.home = *rules.home;
   ReturnReport report = prove_return(scene, flight.stages, flight.task);
+  report.timeline = std::move(flight.timeline);
   report.least_sought = rules.least_height && rules.action == ReturnAction::rtl;
   if (report.least_sought) look_for_height(scene, flight.stages, flight.task, report);
   if (rules.reasons && report.ok()) {
@@ -62,6 +63,7 @@ FlightReturn dji_return(const geom::CollisionScene& scene, FlownMission mission,
   out.task.models.push_back(dji_return_model(height.value_or(0)));
   out.task.models.back().around += mission.path_stray;
   out.stages.push_back(stages_of(mission, *speed));
+  out.timeline = timeline_of(mission, *speed);
   return out;
 }
 
@@ -80,9 +82,11 @@ ReturnReport check_return(const geom::CollisionScene& scene, const geom::PathRec
   }
   FlownMission mission;
   mission.path = record.points;
-  const auto flight = flight_return(scene, stages_of(mission, *rules.speed), record.points.front(),
-                                    record.points.back(), flier, rules.height);
-  ReturnReport report = prove(scene, flight, rules);
+  FlightReturn flight =
+      flight_return(scene, stages_of(mission, *rules.speed), record.points.front(),
+                    record.points.back(), flier, rules.height);
+  flight.timeline = timeline_of(mission, *rules.speed);
+  ReturnReport report = prove(scene, std::move(flight), rules);
   for (ReturnGap& gap : report.gaps) gap.part.reset();  // a path has no items
   return report;
 }

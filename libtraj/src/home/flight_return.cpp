@@ -40,6 +40,7 @@ FlightReturn flight_return(const FlownMission& mission, const Flier& flier,
     out.task.models.back().around += mission.path_stray;
     out.stages.push_back(stages_of(drift));
   }
+  if (!mission.drift.empty()) out.timeline = timeline_of(mission.drift.front());
   return out;
 }
 

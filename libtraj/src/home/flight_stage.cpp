@@ -232,6 +232,20 @@ void add_waits(const std::vector<TimedLeg>& legs, std::vector<FlightStage>& stag
   }
 }
 
+std::vector<TimedPlace> timeline(const std::vector<TimedLeg>& legs) {
+  std::vector<TimedPlace> out;
+  const auto add = [&](double time, const Vec3& place) {
+    if (out.empty() || out.back().time != time || out.back().place != place)
+      out.push_back({time, place});
+  };
+  for (const TimedLeg& leg : legs) {
+    if (leg.part.manoeuvre == Manoeuvre::return_home) continue;
+    add(leg.from, leg.a);
+    add(leg.until, leg.b);
+  }
+  return out;
+}
+
 // Seconds from a to b.
 double seconds(const Vec3& a, const Vec3& b, const FlownMission& mission, double speed) {
   const double rise = b.z() - a.z();
@@ -369,6 +383,12 @@ std::vector<FlightStage> stages_of(const FlownMission& mission, double speed) {
   }
   add_waits(legs, out);
   return out;
+}
+
+std::vector<TimedPlace> timeline_of(const Drift& drift) { return timeline(drift.legs); }
+
+std::vector<TimedPlace> timeline_of(const FlownMission& mission, double speed) {
+  return timeline(timed_legs(mission, speed));
 }
 
 }  // namespace traj

@@ -15,30 +15,6 @@ constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
 
 double size_of(const Vec2& p) { return std::abs(p.x()) + std::abs(p.y()); }
 
-// Whether the box lies beyond the edge from `a` to `b` of a plan that is to the left of it. In
-// coordinates from the edge's begin: differences, products and sums round by less than 16 units of
-// the largest.
-bool beyond(const Vec2& a, const Vec2& b, const Vec2& middle, const Vec2& half) {
-  const Vec2 edge = b - a;
-  const Vec2 out(edge.y(), -edge.x());
-  const double away = out.dot(middle - a);
-  const double reach = half.dot(out.cwiseAbs());
-  const double error =
-      kRounding * size_of(out) * (size_of(a) + size_of(b) + size_of(middle) + size_of(half));
-  return away - reach > error;
-}
-
-// The same along the axes: whether no corner of the plan is within the box's extent.
-bool apart_along_axis(const std::vector<Vec2>& plan, const Aabb& box, int axis) {
-  double least = std::numeric_limits<double>::infinity();
-  double most = -least;
-  for (const Vec2& p : plan) {
-    least = std::min(least, p[axis]);
-    most = std::max(most, p[axis]);
-  }
-  return least > box.max[axis] || most < box.min[axis];
-}
-
 double distance_to_edge(const Vec2& a, const Vec2& b, const Vec2& p) {
   const Vec2 way = b - a;
   const double squared = way.squaredNorm();
@@ -134,14 +110,36 @@ std::vector<Vec3> corners(const Prism& prism) {
   return out;
 }
 
-bool meets(const Prism& prism, const Aabb& box) {
-  if (prism.low > box.max.z() || prism.high < box.min.z()) return false;
+bool meets(const Prism& prism, const Aabb& box) { return PrismMeeting(prism).with(box); }
+
+PrismMeeting::PrismMeeting(const Prism& prism) {
   const std::vector<Vec2>& plan = prism.plan;
-  if (apart_along_axis(plan, box, 0) || apart_along_axis(plan, box, 1)) return false;
+  bounds_ = {{plan.front().x(), plan.front().y(), prism.low},
+             {plan.front().x(), plan.front().y(), prism.high}};
+  edges_.reserve(plan.size());
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    const Vec2& a = plan[i];
+    const Vec2& b = plan[(i + 1) % plan.size()];
+    bounds_.min.head<2>() = bounds_.min.head<2>().cwiseMin(a);
+    bounds_.max.head<2>() = bounds_.max.head<2>().cwiseMax(a);
+    if (plan.size() < 2) continue;
+    const Vec2 out(b.y() - a.y(), a.x() - b.x());
+    edges_.push_back({a, out, out.cwiseAbs(), kRounding * size_of(out), size_of(a) + size_of(b)});
+  }
+}
+
+// The plan is to the left of its edges. In coordinates from an edge's begin: differences, products
+// and sums round by less than 16 units of the largest.
+bool PrismMeeting::with(const Aabb& box) const {
+  if ((bounds_.min.array() > box.max.array()).any()) return false;
+  if ((bounds_.max.array() < box.min.array()).any()) return false;
   const Vec2 middle = 0.5 * (box.min + box.max).head<2>();
   const Vec2 half = (box.max.head<2>() - middle).cwiseMax(middle - box.min.head<2>());
-  for (std::size_t i = 0; i < plan.size() && plan.size() > 1; ++i) {
-    if (beyond(plan[i], plan[(i + 1) % plan.size()], middle, half)) return false;
+  const double size = size_of(middle) + size_of(half);
+  for (const Edge& edge : edges_) {
+    const double away = edge.out.dot(middle - edge.begin);
+    const double reach = half.dot(edge.out_sizes);
+    if (away - reach > edge.rounding * (edge.size + size)) return false;
   }
   return true;
 }

@@ -17,18 +17,12 @@ using geom::Aabb;
 constexpr double kLevel = 1;      // m: ground that is as high as home's
 constexpr double kAbovePad = 3;   // m in which it counts as low above its pad,
 constexpr double kBesidePad = 2;  // and so far beside
+constexpr double kHair = 1e-6;    // m, far above rounding
 constexpr double kStart = 1e-3;   // m above the ground from which a column is looked at
 
 Vec3 sure(const Vec3& by) { return by * (1 + 1e-12) + Vec3::Constant(1e-9); }
 
-Aabb box_of(const Prism& prism) {
-  Aabb box{{prism.plan.front().x(), prism.plan.front().y(), prism.low},
-           {prism.plan.front().x(), prism.plan.front().y(), prism.high}};
-  for (const Vec2& p : prism.plan) {
-    box = geom::merged(box, {{p.x(), p.y(), prism.low}, {p.x(), p.y(), prism.high}});
-  }
-  return box;
-}
+Aabb box_of(const Prism& prism) { return PrismMeeting(prism).bounds(); }
 
 // Why a return from a stage is not clear; equal where the same thing is in the way.
 struct Obstruction {
@@ -45,9 +39,19 @@ struct Obstruction {
   }
 };
 
+// What returns from the first and from the last place of a stage meet, where it was looked at.
+struct Ends {
+  std::optional<std::optional<Obstruction>> early = {};
+  std::optional<std::optional<Obstruction>> late = {};
+};
+
 // The boxes near each sweep of a stage. A part of the stage has sweeps within those of the stage,
 // so no others can be in its way. Nothing for sweeps that were not looked at.
-using NearBoxes = std::vector<std::optional<std::vector<std::size_t>>>;
+struct NearBox {
+  std::size_t box = 0;
+  Aabb grown;  // by what the vehicle is
+};
+using NearBoxes = std::vector<std::optional<std::vector<NearBox>>>;
 
 bool is_alike(const ReturnGap& a, const ReturnGap& b) {
   return a.phase == b.phase && a.reason == b.reason;
@@ -78,7 +82,7 @@ class Prover {
     for (const ReturnPlace& place : places_) grounds_.push_back(lands_level(place));
   }
 
-  void prove(FlightStage stage, const NearBoxes& of_whole = {}) {
+  void prove(FlightStage stage, const NearBoxes& of_whole = {}, Ends known = {}) {
     if (done()) return;
     if (!stage.stands_on) stage.stands_on = pad_below(stage);
     NearBoxes near;
@@ -86,9 +90,11 @@ class Prover {
     if (!found) return keep(stage);
     const auto parts = extent(stage) > task_.finest ? halves(stage) : std::nullopt;
     if (!parts) return add_gap(stage, *found);
-    if (const auto all_along = met_all_along(stage, near)) return add_gap(stage, *all_along);
-    prove(parts->first, near);
-    prove(parts->second, near);
+    if (const auto all_along = met_all_along(stage, near, known)) {
+      return add_gap(stage, *all_along);
+    }
+    prove(parts->first, near, {known.early, {}});
+    prove(parts->second, near, {{}, known.late});
   }
 
   std::vector<ReturnGap> gaps;
@@ -230,21 +236,21 @@ class Prover {
     longest = std::max(longest, lasts);
     for (std::size_t i = 0; i < sweeps.size(); ++i) {
       const ReturnSweep& one = sweeps[i];
-      if (const auto out = out_of_bounds(one)) return out;
+      const PrismMeeting region(one.region);
+      if (const auto out = out_of_bounds(one, region.bounds())) return out;
       const std::size_t list = lists.first + i;
       const bool known = list < lists.of_whole.size() && lists.of_whole[list];
       const bool sinks = one.phase == ReturnPhase::descent;
       const Aabb stands = sinks ? box_of(sweeps.back().region) : *geom::bounds(stage.where);
-      lists.near[list] = near_of(one, stands, known ? *lists.of_whole[list] : boxes_around(one));
-      if (const auto met = box_met(one, *lists.near[list], stage.from, stage.until + lasts)) {
+      lists.near[list] =
+          near_of(one, region, stands, known ? *lists.of_whole[list] : boxes_around(region));
+      if (const auto met = box_met(one, region, *lists.near[list], stage.from, stage.until + lasts))
         return met;
-      }
     }
     return std::nullopt;
   }
 
-  std::optional<Obstruction> out_of_bounds(const ReturnSweep& one) const {
-    const Aabb box = box_of(one.region);
+  std::optional<Obstruction> out_of_bounds(const ReturnSweep& one, const Aabb& box) const {
     Obstruction out{one.phase, Reason::bounds, box.max};
     if (!free_) return out;
     if ((box.max.array() > free_->max.array()).any()) return out;
@@ -255,11 +261,16 @@ class Prover {
     return out;
   }
 
-  std::vector<std::size_t> boxes_around(const ReturnSweep& one) const {
-    Aabb around = box_of(one.region);
-    around.min -= extra_;
-    around.max += extra_;
-    return scene_.boxes_meeting(around);
+  // Those that the region may meet, and a hair more.
+  std::vector<NearBox> boxes_around(const PrismMeeting& region) const {
+    const Aabb around{region.bounds().min - extra_, region.bounds().max + extra_};
+    const Vec3 more = half_ + Vec3::Constant(2 * kHair);
+    std::vector<NearBox> out;
+    for (const std::size_t i : scene_.boxes_meeting(around)) {
+      const Aabb box = scene_.map().box(i);
+      if (region.with({box.min - more, box.max + more})) out.push_back({i, geom::grow(box, half_)});
+    }
+    return out;
   }
 
   // Whether the vehicle stands on the obstacle: it is no higher than the ground and lies below the
@@ -271,25 +282,23 @@ class Prover {
   }
 
   // Those that the sweep may meet, and a hair more: its parts may be further out by rounding.
-  std::vector<std::size_t> near_of(const ReturnSweep& one, const Aabb& stands,
-                                   const std::vector<std::size_t>& boxes) const {
-    constexpr double kHair = 1e-6;  // m
-    std::vector<std::size_t> out;
-    for (const std::size_t i : boxes) {
-      const Aabb obstacle = scene_.map().box(i);
-      if (is_stood_on(one, stands, obstacle)) continue;
-      if (meets(one.region, geom::grow(obstacle, half_ + Vec3::Constant(kHair)))) out.push_back(i);
+  std::vector<NearBox> near_of(const ReturnSweep& one, const PrismMeeting& region,
+                               const Aabb& stands, const std::vector<NearBox>& boxes) const {
+    const Vec3 hair = Vec3::Constant(kHair);
+    std::vector<NearBox> out;
+    for (const NearBox& near : boxes) {
+      if (!region.with({near.grown.min - hair, near.grown.max + hair})) continue;
+      if (!is_stood_on(one, stands, scene_.map().box(near.box))) out.push_back(near);
     }
     return out;
   }
 
-  std::optional<Obstruction> box_met(const ReturnSweep& one, const std::vector<std::size_t>& boxes,
-                                     double from, double until) const {
-    for (const std::size_t i : boxes) {
-      if (!meets(one.region, geom::grow(scene_.map().box(i), half_)) || !is_there(i, from, until)) {
-        continue;
-      }
-      return Obstruction{one.phase, Reason::collision, Vec3::Zero(), i, {}, one.region};
+  std::optional<Obstruction> box_met(const ReturnSweep& one, const PrismMeeting& region,
+                                     const std::vector<NearBox>& boxes, double from,
+                                     double until) const {
+    for (const NearBox& near : boxes) {
+      if (!region.with(near.grown) || !is_there(near.box, from, until)) continue;
+      return Obstruction{one.phase, Reason::collision, Vec3::Zero(), near.box, {}, one.region};
     }
     return std::nullopt;
   }
@@ -319,15 +328,17 @@ class Prover {
   }
 
   // What returns from both ends of the stage meet, if that is the same. Then those between most
-  // often do too, and it is not worth while to divide the stage.
-  std::optional<Obstruction> met_all_along(const FlightStage& stage, const NearBoxes& near) {
+  // often do too, and it is not worth while to divide the stage. `known` gets what was found.
+  std::optional<Obstruction> met_all_along(const FlightStage& stage, const NearBoxes& near,
+                                           Ends& known) {
     const auto ends = ends_of(stage);
     if (!ends) return std::nullopt;
     NearBoxes unused;
-    const auto early = obstruction(ends->first, near, unused);
+    if (!known.early) known.early = obstruction(ends->first, near, unused);
+    const std::optional<Obstruction>& early = *known.early;
     if (!early) return std::nullopt;
-    const auto late = obstruction(ends->second, near, unused);
-    return late && early->is_same(*late) ? early : std::nullopt;
+    if (!known.late) known.late = obstruction(ends->second, near, unused);
+    return *known.late && early->is_same(**known.late) ? early : std::nullopt;
   }
 
   const geom::CollisionScene& scene_;

@@ -101,6 +101,11 @@ JsonLine object_of(const ReturnReport& returns, const geom::BoxMap& map) {
   line.add("share", returns.share()).add("duration", returns.duration);
   line.add("longest", returns.longest);
   line.add("gaps", returns.gaps, [&](const ReturnGap& gap) { return object_of(gap, map); });
+  if (!returns.timeline.empty()) {
+    line.add("timeline", returns.timeline, [](const TimedPlace& one) {
+      return std::move(JsonLine().add("time", one.time).add("at", one.place));
+    });
+  }
   line.add("least_height", returns.least_height);
   line.add("best_height", returns.best_height).add("best_share", returns.best_share);
   return line;

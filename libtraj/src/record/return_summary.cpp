@@ -40,6 +40,15 @@ ReturnGapSummary gap_of(const geom::JsonFields& fields) {
   return gap;
 }
 
+// The objects of a list, each read by `read`.
+template <class Read>
+void for_each(const geom::JsonFields& fields, const char* key, std::string_view source,
+              std::size_t line, const Read& read) {
+  const nlohmann::json& list = fields.value(key);
+  if (!list.is_array()) fields.refuse({.key = key, .expected = "a list", .found = list.dump()});
+  for (const nlohmann::json& one : list) read(geom::JsonFields(one.dump(), source, line));
+}
+
 // The time that gaps leave, of the flight's.
 double share_without(const std::vector<ReturnGapSummary>& gaps, double duration) {
   if (!(duration > 0)) return gaps.empty() ? 1 : 0;
@@ -63,6 +72,18 @@ void require_ascending(const geom::JsonFields& fields, const ReturnSummary& out)
   }
 }
 
+void require_ascending_timeline(const geom::JsonFields& fields, const ReturnSummary& out) {
+  double before = 0;
+  for (const TimedPlace& one : out.timeline) {
+    if (one.time < before || one.time > out.duration * (1 + kRounding)) {
+      fields.refuse({.key = "timeline",
+                     .expected = fmt::format("ascending, within 0 to {} s", out.duration),
+                     .found = fmt::format("{} s after {} s", one.time, before)});
+    }
+    before = one.time;
+  }
+}
+
 }  // namespace
 
 ReturnSummary parse_return_summary(std::string_view json, std::string_view source,
@@ -78,14 +99,15 @@ ReturnSummary parse_return_summary(std::string_view json, std::string_view sourc
   out.least_height = fields.number("least_height");
   out.best_height = fields.number("best_height");
   out.best_share = fields.number("best_share");
-  const nlohmann::json& gaps = fields.value("gaps");
-  if (!gaps.is_array()) {
-    fields.refuse({.key = "gaps", .expected = "a list", .found = gaps.dump()});
-  }
-  for (const nlohmann::json& gap : gaps) {
-    out.gaps.push_back(gap_of(geom::JsonFields(gap.dump(), source, line)));
-  }
+  for_each(fields, "gaps", source, line,
+           [&](const geom::JsonFields& gap) { out.gaps.push_back(gap_of(gap)); });
   require_ascending(fields, out);
+  if (fields.has("timeline")) {
+    for_each(fields, "timeline", source, line, [&](const geom::JsonFields& one) {
+      out.timeline.push_back({at_least_zero(one, "time"), one.point("at")});
+    });
+    require_ascending_timeline(fields, out);
+  }
   out.share = at_least_zero(fields, "share");
   const double left = share_without(out.gaps, out.duration);
   if (out.share <= left + kRounding) return out;

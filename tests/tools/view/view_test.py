@@ -6,6 +6,7 @@ Pictures of what was seen are left in the folder PICTURES; with SKYWAY_TIME_FRAM
 import base64
 import itertools
 import json
+import math
 import os
 import pathlib
 import subprocess
@@ -320,6 +321,32 @@ def shows_home(browser, folder, page):
     for scheme in ("light", "dark"):
         viewer.picture(f"home-{scheme}")
         browser.click("#theme")
+    viewer.quiet()
+
+
+def shows_home_of_mission(browser, folder, page):
+    """A mission's file has no times: its way is coloured by the timeline of the report, and followed along it."""
+    mission, town = source / "data/samples/town.waypoints", folder / "town"
+    run("skyway-footprints", source / "data/samples/town.geojson", "--allow-skipped", "--ceiling", "120", "--pad", "60", "-q", "-o", town)
+    flown = ["--vehicle", "quad2kg", "--margin", "1"]
+    height = ["--ground", "0", "--return-height", "20"]
+    run("skyway-check", town, mission, *flown, *height, "--return", "-q", "-o", folder / "town-returns", yes=False)
+    returned = json.loads((folder / "town-returns").read_text())["return"]
+    assert returned["gaps"] and len(returned["timeline"]) > 4
+    run("skyway-view", town, mission, folder / "town-returns", *height, "-o", page)
+    viewer = Viewer(browser, page)
+    parts = viewer.get("homes")[0]["parts"]
+    assert [p["kind"] for p in parts] == ["proved", "none", "proved"] and parts[-1]["until"] == returned["duration"]
+    assert (parts[1]["from"], parts[1]["until"]) == (returned["gaps"][0]["from"], returned["gaps"][-1]["until"])
+    assert viewer.get("motion").endswith("(estimated)")
+    for one in returned["timeline"][1:-1]:
+        share = one["time"] / returned["duration"]
+        browser.pointer(("move", *browser.centre("#scrub", share)), ("down",), ("up",))
+        time, position = viewer.get("time"), viewer.get("position")
+        near = min(math.dist(position, [a + (b - a) * k / 100 for a, b in zip(s["at"], e["at"])])
+                   for s, e in itertools.pairwise(returned["timeline"]) if s["time"] <= time <= e["time"] for k in range(101))
+        assert near < 2, (time, position)
+    viewer.picture("home-mission")
     viewer.quiet()
 
 
@@ -819,6 +846,7 @@ def main(folder):
         shows_frames(browser, demo, page)
         shows_failure(browser, demo, page)
         shows_home(browser, demo, page)
+        shows_home_of_mission(browser, demo, page)
         shows_large_city(browser, folder, page)
         shows_missions(browser, folder, page)
         shows_fleet(browser, folder, page)

@@ -289,6 +289,30 @@ TEST(StagesOfLegs, FlyTheLegsAtTheirSpeedAndWait) {
   double until = 0;
   for (const FlightStage& stage : stages) until = std::max(until, stage.until);
   EXPECT_DOUBLE_EQ(until, 33);
+
+  const std::vector<TimedPlace> timeline = timeline_of(mission, 4);
+  EXPECT_EQ(timeline.front().time, 0);
+  EXPECT_EQ(timeline.front().place, Vec3(0, 0, 0));
+  EXPECT_DOUBLE_EQ(timeline.back().time, until);
+  for (const TimedPlace& one : timeline) EXPECT_TRUE(at(one.time, one.place, {0, 0, 0}));
+  const auto between = [&](std::size_t i) {
+    return at((timeline[i].time + timeline[i + 1].time) / 2,
+              (timeline[i].place + timeline[i + 1].place) / 2, {0, 0, 0});
+  };
+  for (std::size_t i = 0; i + 1 < timeline.size(); ++i) EXPECT_TRUE(between(i)) << i;
+}
+
+TEST(Timeline, LeavesTheWayBackHomeOut) {
+  Drift drift;
+  drift.legs = {{{0, 0, 0}, {0, 0, 20}, 0, 10, {0, Manoeuvre::climb}},
+                {{0, 0, 20}, {80, 0, 20}, 12, 32, {1, Manoeuvre::leg}},
+                {{80, 0, 20}, {0, 0, 20}, 32, 52, {2, Manoeuvre::return_home}}};
+  const std::vector<TimedPlace> timeline = timeline_of(drift);
+  ASSERT_EQ(timeline.size(), 4u);
+  EXPECT_EQ(timeline[1].time, 10);
+  EXPECT_EQ(timeline[2].time, 12);
+  EXPECT_EQ(timeline[2].place, Vec3(0, 0, 20));
+  EXPECT_EQ(timeline.back().time, 32);
 }
 
 }  // namespace

@@ -41,6 +41,7 @@ TEST(ReturnSummary, ReadsWhatTheCheckWrote) {
   returns.gaps.push_back({.from = 50, .until = 56, .phase = "climb", .reason = Reason::fence});
   returns.gaps.back().part = FlightPart{4, Manoeuvre::leg};
   returns.gaps.back().fence = 2;
+  returns.timeline = {{0, {1, 2, 3}}, {120, {4, 5, 6}}};
   record.returns = returns;
 
   const ReportSummary back = parse_report_record(to_json_line(record, map), "r.jsonl", 1);
@@ -54,6 +55,9 @@ TEST(ReturnSummary, ReadsWhatTheCheckWrote) {
   EXPECT_EQ(back.returns->duration, 120);
   EXPECT_EQ(back.returns->longest, 250);
   EXPECT_EQ(back.returns->least_height, 74.5);
+  ASSERT_EQ(back.returns->timeline.size(), 2u);
+  EXPECT_EQ(back.returns->timeline[1].time, 120);
+  EXPECT_EQ(back.returns->timeline[1].place, geom::Vec3(4, 5, 6));
   ASSERT_EQ(back.returns->gaps.size(), 2u);
   const ReturnGapSummary& first = back.returns->gaps[0];
   EXPECT_EQ(first.from, 30);
@@ -120,6 +124,18 @@ TEST(ReturnSummary, AReportIsNotOkBesideGaps) {
   EXPECT_EQ(support::refusal_of(
                 [&] { parse_report_record(head + json(gap("2", "7")) + "}", "r.jsonl", 3); }),
             "r.jsonl:3: ok is true beside times without a return");
+}
+
+TEST(ReturnSummary, RefusesATimelineThatDoesNotAscend) {
+  const auto with = [](const std::string& first, const std::string& second) {
+    std::string line = json("", "1");
+    line.insert(line.size() - 1, R"(,"timeline":[{"time":)" + first + R"(,"at":[0,0,0]},{"time":)" +
+                                     second + R"(,"at":[1,0,0]}])");
+    return line;
+  };
+  EXPECT_EQ(refusal(with("0", "10")), "");
+  for (const auto& line : {with("5", "4"), with("0", "10.1"), with("-1", "4"), with("0", "\"a\"")})
+    EXPECT_NE(refusal(line), "") << line;
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ function makeContentsPanel() {
   }
   if (motions.length || meta.unsolved.length) {
     parts.push(section("Motion", listTable(["id", "", "duration"], [
-      ...motions.map(m => [m.id, m.isFlight ? "flown" : "planned", withUnit(m.duration, 2, "s")]),
+      ...motions.map(m => [m.id, m.word, withUnit(m.duration, 2, "s")]),
       ...meta.unsolved.map(m => [m.id, m.status.replaceAll("_", " "), "–"])])));
   }
   parts.push(element("p", { class: "soft" },
@@ -59,7 +59,8 @@ function summaryWords() {
   if (meta.trees.length) words.push(count(meta.trees.length, "search tree"));
   if (meta.paths.length) words.push(count(meta.paths.length, pathWord(meta.paths)));
   const flights = motions.filter(m => m.isFlight).length;
-  if (motions.length > flights) words.push(count(motions.length - flights, "trajectory", "trajectories"));
+  const planned = motions.filter(m => m.word === "planned").length;
+  if (planned) words.push(count(planned, "trajectory", "trajectories"));
   if (flights) words.push(count(flights, "flight"));
   const checks = meta.reports.filter(r => !isOfRefused(r)), failed = checks.filter(r => !r.ok).length;
   if (checks.length) words.push(failed && checks.length === 1 ? "the check failed" : failed ? `${decimals(failed, 0)} of ${count(checks.length, "check")} failed`

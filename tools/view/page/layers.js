@@ -126,10 +126,15 @@ function motionLayer() {
     [["", "plain"], ...(homes.size ? [["home", "way home"]] : []), ...offered.map(q => [q.key, q.name.split(",")[0].toLowerCase()])],
     homes.size ? "home" : "", key => colourMotions(key, legend)));
   colourMotions(homes.size ? "home" : "", legend);
-  const flights = motions.filter(m => m.isFlight).length;
-  const words = flights === motions.length ? count(flights, "flight")
-    : flights ? `${motions.length - flights} planned, ${flights} flown` : count(motions.length, "trajectory", "trajectories");
-  return layer("Motion", words, stage.motionGroup, [row, legend]);
+  return layer("Motion", motionWords(), stage.motionGroup, [row, legend]);
+}
+
+// "2 trajectories", or "1 planned, 1 flown"
+function motionWords() {
+  const of = word => motions.filter(m => m.word === word).length;
+  const kinds = ["planned", "flown", "estimated"].filter(word => of(word));
+  if (kinds.length > 1) return kinds.map(word => `${of(word)} ${word}`).join(", ");
+  return { planned: n => count(n, "trajectory", "trajectories"), flown: n => count(n, "flight"), estimated: n => count(n, "mission") }[kinds[0]](motions.length);
 }
 
 // `key`: of a quantity, "home" for ways home, or "" for plain colours.
@@ -156,7 +161,8 @@ function colourMotions(key, legend) {
 
 function motionKeys() {
   const keys = [];
-  if (motions.some(m => !m.isFlight)) keys.push(["--motion", "planned"]);
+  const others = [...new Set(motions.filter(m => !m.isFlight).map(m => m.word))];
+  if (others.length) keys.push(["--motion", others.join(", ")]);
   if (motions.some(m => m.isFlight)) keys.push(["--flown", "flown"]);
   return element("ul", { class: "keys" }, keys.map(([colour, words]) =>
     element("li", {}, swatch(`var(${colour})`, "line"), element("span", {}, words))));

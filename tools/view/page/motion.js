@@ -31,7 +31,8 @@ class Motion {
     this.time = arrayOf(data.time) || Float32Array.from(
       { length: this.samples }, (_, i) => this.duration * i / (this.samples - 1));
     this.limits = data.limits || plannedLimits(data.id);
-    this.name = `${data.id} (${this.isFlight ? "flown" : "planned"})`;
+    this.word = this.isFlight ? "flown" : data.kind === "mission" ? "estimated" : "planned";
+    this.name = `${data.id} (${this.word})`;
     this.cache = new Map();
   }
 

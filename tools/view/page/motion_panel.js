@@ -40,7 +40,7 @@ class MotionPanel {
   // Planned or flown: the mission's motions as buttons.
   kindsOf(mission, motion) {
     const twice = flown => mission.motions.filter(m => m.isFlight === flown).length > 1;
-    const words = (m, i) => (m.isFlight ? "Flown" : "Planned") + (twice(m.isFlight) ? ` ${i + 1}` : "");
+    const words = (m, i) => m.word[0].toUpperCase() + m.word.slice(1) + (twice(m.isFlight) ? ` ${i + 1}` : "");
     return buttonGroup("Motion that is plotted and followed", mission.motions.map((m, i) => [String(i), words(m, i)]),
       String(mission.motions.indexOf(motion)), value => selection.chooseMotion(mission.motions[Number(value)])).element;
   }

@@ -19,6 +19,7 @@ namespace traj {
 struct FlightReturn {
   std::vector<std::vector<FlightStage>> stages;  // one list for each of the task's models
   ReturnTask task;
+  std::vector<TimedPlace> timeline = {};  // of a mission, by the first model
 };
 
 // As each autopilot of the flier that loads the mission may fly it, to the mission's home or one of

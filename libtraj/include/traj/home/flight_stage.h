@@ -15,6 +15,7 @@
 #include "traj/curve/trajectory.h"
 #include "traj/mission/flown/flown.h"
 #include "traj/mission/flown/sweep.h"
+#include "traj/record/return_report.h"
 
 namespace traj {
 
@@ -55,5 +56,10 @@ std::vector<FlightStage> stages_of(const Drift& drift);
 // Of legs and their regions, at `speed` m/s, and `climb` and `descent` where they say them.
 // Regions that no leg leads through may be flown in any direction.
 std::vector<FlightStage> stages_of(const FlownMission& mission, double speed);
+
+// The way of the same legs in the times that stages have, where each begins and ends; ways back to
+// home left out.
+std::vector<TimedPlace> timeline_of(const Drift& drift);
+std::vector<TimedPlace> timeline_of(const FlownMission& mission, double speed);
 
 }  // namespace traj

@@ -46,6 +46,24 @@ std::vector<Vec3> corners(const Prism& prism);
 // plane that is level, or upright and along an edge of either.
 bool meets(const Prism& prism, const geom::Aabb& box);
 
+// The same of one prism and many boxes. It has a plan.
+class PrismMeeting {
+ public:
+  explicit PrismMeeting(const Prism& prism);
+
+  const geom::Aabb& bounds() const { return bounds_; }
+  bool with(const geom::Aabb& box) const;
+
+ private:
+  struct Edge {
+    Vec2 begin, out, out_sizes;
+    double rounding, size;  // of what is summed up beside the box
+  };
+
+  geom::Aabb bounds_;
+  std::vector<Edge> edges_;
+};
+
 // The least distance from a place to the plan, m; 0 inside. To rounding.
 double distance(const std::vector<Vec2>& plan, const Vec2& p);
 // The largest.

@@ -33,14 +33,23 @@ struct ReturnGap {
   std::optional<std::size_t> fence = {};  // of the mission
 };
 
+// Where a vehicle is on its way at a time, s of the flight.
+struct TimedPlace {
+  double time = 0;
+  geom::Vec3 place = geom::Vec3::Zero();  // m
+};
+
 struct ReturnReport {
   std::string action;
-  std::string autopilot;                    // those for which it holds
-  geom::Vec3 home = geom::Vec3::Zero();     // the ground there, m
-  double height = 0;                        // m above home, of the return
-  double duration = 0;                      // s, of the flight
-  double longest = 0;                       // s that a return may take: an estimate
-  std::vector<ReturnGap> gaps = {};         // ascending, apart
+  std::string autopilot;                 // those for which it holds
+  geom::Vec3 home = geom::Vec3::Zero();  // the ground there, m
+  double height = 0;                     // m above home, of the return
+  double duration = 0;                   // s, of the flight
+  double longest = 0;                    // s that a return may take: an estimate
+  std::vector<ReturnGap> gaps = {};      // ascending, apart
+  // Of a mission or a path, whose times are estimates: its way, straight between these; it ascends
+  // in time. Of several autopilots that of the first.
+  std::vector<TimedPlace> timeline = {};
   bool least_sought = false;                // whether it was looked for:
   std::optional<double> least_height = {};  // m above home with which there is no gap
   std::string reasons = {};                 // JSON (return_reasons), where they are asked for

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "geom/base/vec3.h"
+#include "traj/record/return_report.h"
 
 namespace traj {
 
@@ -43,6 +44,7 @@ struct ReturnSummary {
   double duration = 0;                      // s, of the flight
   double longest = 0;                       // s that a return may take
   std::vector<ReturnGapSummary> gaps = {};  // ascending, apart
+  std::vector<TimedPlace> timeline = {};    // of a mission or a path
   std::optional<double> least_height = {};  // m above home with which there is no gap
 
   // If there is none: the least height at which returns are proved for as long as at any, and that
