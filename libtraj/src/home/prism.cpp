@@ -144,6 +144,42 @@ bool PrismMeeting::with(const Aabb& box) const {
   return true;
 }
 
+// A part holds the corners between its ends, and where sides cross these.
+std::vector<Aabb> boxes_around(const Prism& prism, int parts) {
+  const Aabb whole = PrismMeeting(prism).bounds();
+  const Vec2 size = (whole.max - whole.min).head<2>();
+  const int along = size.x() >= size.y() ? 0 : 1;
+  const int across = 1 - along;
+  std::vector<Aabb> out;
+  for (int k = 0; k < parts; ++k) {
+    const double from = whole.min[along] + size[along] * k / parts;
+    const double until =
+        k + 1 == parts ? whole.max[along] : whole.min[along] + size[along] * (k + 1) / parts;
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (std::size_t i = 0; i < prism.plan.size(); ++i) {
+      const Vec2& a = prism.plan[i];
+      const Vec2& b = prism.plan[(i + 1) % prism.plan.size()];
+      const double low = std::max(from, std::min(a[along], b[along]));
+      const double high = std::min(until, std::max(a[along], b[along]));
+      if (low > high) continue;
+      for (const double at : {low, high}) {
+        const double way = b[along] - a[along];
+        const double share = way != 0 ? std::clamp((at - a[along]) / way, 0.0, 1.0) : 0;
+        const double there = a[across] + share * (b[across] - a[across]);
+        least = std::min(least, way != 0 ? there : std::min(a[across], b[across]));
+        most = std::max(most, way != 0 ? there : std::max(a[across], b[across]));
+      }
+    }
+    if (least > most) continue;
+    Aabb box = whole;
+    box.min[along] = from, box.max[along] = until;
+    box.min[across] = least, box.max[across] = most;
+    out.push_back(box);
+  }
+  return out;
+}
+
 double distance(const std::vector<Vec2>& plan, const Vec2& p) {
   double least = std::numeric_limits<double>::infinity();
   bool inside = plan.size() > 2;

@@ -242,8 +242,8 @@ class Prover {
       const bool known = list < lists.of_whole.size() && lists.of_whole[list];
       const bool sinks = one.phase == ReturnPhase::descent;
       const Aabb stands = sinks ? box_of(sweeps.back().region) : *geom::bounds(stage.where);
-      lists.near[list] =
-          near_of(one, region, stands, known ? *lists.of_whole[list] : boxes_around(region));
+      lists.near[list] = near_of(one, region, stands,
+                                 known ? *lists.of_whole[list] : boxes_near(one.region, region));
       if (const auto met = box_met(one, region, *lists.near[list], stage.from, stage.until + lasts))
         return met;
     }
@@ -262,11 +262,21 @@ class Prover {
   }
 
   // Those that the region may meet, and a hair more.
-  std::vector<NearBox> boxes_around(const PrismMeeting& region) const {
-    const Aabb around{region.bounds().min - extra_, region.bounds().max + extra_};
+  std::vector<NearBox> boxes_near(const Prism& prism, const PrismMeeting& region) const {
+    constexpr double kPart = 60;  // m
+    const Vec3 size = region.bounds().max - region.bounds().min;
+    const double parts = std::ceil(size.head<2>().maxCoeff() / kPart);
+    std::vector<std::size_t> found;
+    for (const Aabb& part : boxes_around(prism, static_cast<int>(std::clamp(parts, 1.0, 16.0)))) {
+      const Vec3 more = extra_ + Vec3::Constant(kHair);
+      const auto there = scene_.boxes_meeting({part.min - more, part.max + more});
+      found.insert(found.end(), there.begin(), there.end());
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
     const Vec3 more = half_ + Vec3::Constant(2 * kHair);
     std::vector<NearBox> out;
-    for (const std::size_t i : scene_.boxes_meeting(around)) {
+    for (const std::size_t i : found) {
       const Aabb box = scene_.map().box(i);
       if (region.with({box.min - more, box.max + more})) out.push_back({i, geom::grow(box, half_)});
     }

@@ -146,6 +146,37 @@ TEST(PrismMeets, AColumnAndAWall) {
   EXPECT_FALSE(meets(wall, {{5, 4, 4}, {6, 4.99, 5}}));
 }
 
+TEST(BoxesAround, HoldThePrismAndLittleElse) {
+  Random random(5);
+  for (int i = 0; i < support::cases(2000); ++i) {
+    const Prism prism = any_prism(random, i % 2, Vec2(random.uniform(-1e4, 1e4), 0));
+    const int parts = 1 + random.below(9);
+    const std::vector<Aabb> boxes = boxes_around(prism, parts);
+    ASSERT_LE(static_cast<int>(boxes.size()), parts);
+    for (int k = 0; k < 40; ++k) {
+      Vec2 p = Vec2::Zero();
+      double sum = 0;
+      for (const Vec2& corner : prism.plan) {
+        const double weight = k % 4 ? random.uniform(0, 1) : random.below(2) + 1e-3;
+        p += weight * corner;
+        sum += weight;
+      }
+      p /= sum;
+      const auto holds = [&](const Aabb& box) {
+        return (p.array() >= box.min.head<2>().array() - 1e-9).all() &&
+               (p.array() <= box.max.head<2>().array() + 1e-9).all() && box.min.z() == prism.low &&
+               box.max.z() == prism.high;
+      };
+      ASSERT_TRUE(std::any_of(boxes.begin(), boxes.end(), holds)) << "case " << i;
+    }
+  }
+  const Prism diagonal{{{0, 0}, {100, 99}, {100, 100}, {0, 1}}, 0, 1};
+  double room = 0;
+  for (const Aabb& box : boxes_around(diagonal, 10))
+    room += (box.max - box.min).x() * (box.max - box.min).y();
+  EXPECT_NEAR(room, 10 * 10 * 10.9, 1e-9);
+}
+
 // Whether p is in the hull of the corners, or so near that rounding explains it.
 bool is_held(const std::vector<Vec2>& hull, const Vec2& p) {
   if (hull.size() == 1) return (hull[0] - p).norm() <= 1e-15 * p.norm();

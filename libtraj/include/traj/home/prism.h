@@ -64,6 +64,10 @@ class PrismMeeting {
   std::vector<Edge> edges_;
 };
 
+// Boxes that together hold the prism to rounding, side by side along its longer side: `parts` >= 1
+// of them. A long prism across the axes is in far less room than its bounds.
+std::vector<geom::Aabb> boxes_around(const Prism& prism, int parts);
+
 // The least distance from a place to the plan, m; 0 inside. To rounding.
 double distance(const std::vector<Vec2>& plan, const Vec2& p);
 // The largest.
