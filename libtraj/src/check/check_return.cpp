@@ -95,6 +95,11 @@ ReturnReport check_return(const geom::CollisionScene& scene, const FileFlight& f
         fmt::format("--return takes missions and records: no autopilot returns from a file of {}",
                     file.format->format.word));
   }
+  if (flown->terrain) {
+    throw geom::UsageError(
+        "--return takes missions whose heights are known: over terrain nobody knows how high a "
+        "return begins");
+  }
   FlownMission mission = *flown;
   if (rules.home) mission.home = rules.home;
   if (!mission.home) {

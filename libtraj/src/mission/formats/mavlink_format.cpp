@@ -12,6 +12,15 @@
 namespace traj {
 namespace {
 
+std::string terrain_note(const TerrainClaim& terrain) {
+  return fmt::format(
+      "heights above terrain count from home and from the autopilot's own terrain: what was looked "
+      "at is a band of up to {:.1f} m, for terrain that is within {:g} m of the ground at posts "
+      "{:g} "
+      "m apart, a vehicle that is up to {:g} m behind it, and no rangefinder",
+      terrain.band, terrain.error, terrain.spacing, terrain.lag);
+}
+
 // What its user should know of a mission.
 std::vector<std::string> notes_of(const FlownMavlink& read) {
   std::vector<std::string> notes;
@@ -19,7 +28,12 @@ std::vector<std::string> notes_of(const FlownMavlink& read) {
     notes.emplace_back(
         "the mission has no take-off: how the vehicle comes to its first point is not looked at");
   }
-  if (read.returns) {
+  if (read.terrain) notes.push_back(terrain_note(*read.terrain));
+  if (read.returns && read.terrain) {
+    notes.emplace_back(
+        "the return to home is left out: over terrain nobody knows how high it begins; end the "
+        "mission with a waypoint above home and a landing (21)");
+  } else if (read.returns) {
     notes.emplace_back(
         "the return to home is left out: its height is a setting of the vehicle, which "
         "--return-height gives, or it may go to the mission's own landing");
@@ -36,7 +50,10 @@ std::vector<std::string> notes_of(const FlownMavlink& read) {
         geom::counted(read.tight_radii, "item has", "items have"), kLeastLineRadius,
         kLeastLineRadius));
   }
-  if (read.not_for_px4 > 0) {
+  if (read.above_terrain) {
+    notes.emplace_back(
+        "PX4 loads no mission with heights above terrain: it was looked at as ArduPilot flies it");
+  } else if (read.not_for_px4 > 0) {
     notes.push_back(
         read.not_for_px4 == kTakeoff
             ? "the take-off is at latitude 0, longitude 0, where PX4 would fly to: the mission was "

@@ -11,9 +11,11 @@ namespace traj {
 
 // What may be said beside them.
 inline constexpr FileOptionSet kMavlinkReading{
-    FileOption::origin,  FileOption::geoid,      FileOption::ground,    FileOption::return_height,
-    FileOption::terrain, FileOption::acceptance, FileOption::braking,   FileOption::autopilot,
-    FileOption::params,  FileOption::drag,       FileOption::navigation};
+    FileOption::origin,        FileOption::geoid,      FileOption::ground,
+    FileOption::return_height, FileOption::terrain,    FileOption::acceptance,
+    FileOption::braking,       FileOption::autopilot,  FileOption::params,
+    FileOption::drag,          FileOption::navigation, FileOption::ground_model,
+    FileOption::terrain_error};
 inline constexpr FileOptionSet kMavlinkWriting{
     FileOption::tolerance,  FileOption::speed,         FileOption::hover,
     FileOption::ground,     FileOption::origin,        FileOption::geoid,

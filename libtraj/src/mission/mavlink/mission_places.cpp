@@ -60,11 +60,13 @@ double MissionPlaces::height(const MissionItem& item) const {
     case kGlobalTerrain:
     case kGlobalTerrainInt:
       if (rules_.ground) return *rules_.ground + item.altitude;
+      if (rules_.terrain) return above_home(item, item.altitude);  // to be raised (terrain_lift.h)
       refuse_item(source_, item,
                   {.expected = "heights above sea level or home",
                    .found = "one above terrain",
                    .advice = "where the ground is flat, give its height; over other ground an "
-                             "autopilot follows terrain data of its own, which no file shows"});
+                             "autopilot follows terrain data of its own, which no file shows: "
+                             "skyway-check takes a height model for it (--ground-model)"});
     default:
       refuse_item(source_, item,
                   {.key = "frame",

@@ -23,6 +23,8 @@ enum class FileOption {
   ground,
   return_height,
   terrain,
+  ground_model,
+  terrain_error,
   acceptance,
   braking,
   autopilot,
@@ -55,7 +57,7 @@ enum class FileOption {
   params_out,
   procedure
 };
-inline constexpr std::size_t kFileOptions = 39;
+inline constexpr std::size_t kFileOptions = 41;
 
 // As the tools' options name them, without "--".
 inline constexpr geom::Words<FileOption, kFileOptions> kFileOptionWords{{
@@ -67,6 +69,8 @@ inline constexpr geom::Words<FileOption, kFileOptions> kFileOptionWords{{
     {FileOption::ground, "ground"},
     {FileOption::return_height, "return-height"},
     {FileOption::terrain, "terrain-height"},
+    {FileOption::ground_model, "ground-model"},
+    {FileOption::terrain_error, "terrain-error"},
     {FileOption::acceptance, "acceptance"},
     {FileOption::braking, "braking"},
     {FileOption::autopilot, "autopilot"},
