@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "geom/map/geographic_frame.h"
@@ -19,6 +20,23 @@ std::string terrain_note(const TerrainClaim& terrain) {
       "{:g} "
       "m apart, a vehicle that is up to {:g} m behind it, and no rangefinder",
       terrain.band, terrain.error, terrain.spacing, terrain.lag);
+}
+
+// What the sea level is on the way, where a grid says it.
+std::string sea_note(const FlownMavlink& read, const MissionFrame& over) {
+  const geom::GeographicFrame earth(over.origin);
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  for (const Vec3& p : read.path) {
+    const geom::GeodeticPlace place = earth.place(p);
+    const double sea = over.sea_level(place.latitude, place.longitude);
+    least = std::min(least, sea);
+    most = std::max(most, sea);
+  }
+  return fmt::format(
+      "heights above the sea: the sea level is {:.2f} to {:.2f} m above the ellipsoid on the way, "
+      "give or take {:.2f} m, which was looked at",
+      least, most, over.sea_error());
 }
 
 // What its user should know of a mission.
@@ -102,9 +120,10 @@ double slowing_way(const MissionTask& task, double speed) {
 ReadFlights fly_mission(const Mission& mission, const ReadTask& task) {
   MissionRules rules = task.how.flier.rules(task.how.rules);
   rules.home = task.how.placement.ground;
-  FlownMavlink flown =
-      flown_mission(mission, task.how.placement.mission_frame(task.frame), rules, task.source);
+  const MissionFrame over = task.how.placement.mission_frame(task.frame);
+  FlownMavlink flown = flown_mission(mission, over, rules, task.source);
   std::vector<std::string> notes = notes_of(flown);
+  if (flown.counts_from_sea && over.geoid_grid) notes.push_back(sea_note(flown, over));
   notes.insert(notes.begin(), mission.notes.begin(), mission.notes.end());
   return {{{FlownMission(std::move(flown))}}, std::move(notes)};
 }

@@ -15,14 +15,14 @@ inline constexpr FileOptionSet kMavlinkReading{
     FileOption::return_height, FileOption::terrain,    FileOption::acceptance,
     FileOption::braking,       FileOption::autopilot,  FileOption::params,
     FileOption::drag,          FileOption::navigation, FileOption::ground_model,
-    FileOption::terrain_error};
+    FileOption::terrain_error, FileOption::geoid_grid};
 inline constexpr FileOptionSet kMavlinkWriting{
     FileOption::tolerance,  FileOption::speed,         FileOption::hover,
     FileOption::ground,     FileOption::origin,        FileOption::geoid,
     FileOption::autopilot,  FileOption::params,        FileOption::drag,
     FileOption::navigation, FileOption::return_height, FileOption::rally,
     FileOption::fence,      FileOption::fence_budget,  FileOption::params_out,
-    FileOption::procedure};
+    FileOption::procedure,  FileOption::geoid_grid};
 
 inline constexpr double kMissionRounding = 0.03;  // m: MissionFormat::rounding
 

@@ -55,6 +55,8 @@ class Flight {
       throw geom::InputError(source_, {.expected = "at least one waypoint", .found = "none"});
     }
     flown_.path_stray = kMissionStray;
+    flown_.counts_from_sea = places_.counts_from_sea();
+    if (flown_.counts_from_sea) flown_.path_stray.z() += frame_.sea_error();
     say_home();
     finish_track();
     add_fences();

@@ -20,6 +20,7 @@ enum class FileOption {
   heading,
   origin,
   geoid,
+  geoid_grid,
   ground,
   return_height,
   terrain,
@@ -57,7 +58,7 @@ enum class FileOption {
   params_out,
   procedure
 };
-inline constexpr std::size_t kFileOptions = 41;
+inline constexpr std::size_t kFileOptions = 42;
 
 // As the tools' options name them, without "--".
 inline constexpr geom::Words<FileOption, kFileOptions> kFileOptionWords{{
@@ -66,6 +67,7 @@ inline constexpr geom::Words<FileOption, kFileOptions> kFileOptionWords{{
     {FileOption::heading, "heading"},
     {FileOption::origin, "origin"},
     {FileOption::geoid, "geoid"},
+    {FileOption::geoid_grid, "geoid-grid"},
     {FileOption::ground, "ground"},
     {FileOption::return_height, "return-height"},
     {FileOption::terrain, "terrain-height"},

@@ -34,10 +34,11 @@ struct MissionRules {
 
 // In ENU, and what the mission leaves open, for its user.
 struct FlownMavlink : FlownMission {
-  bool takes_off = false;      // else how it comes to its first point is not known
-  bool ended = false;          // by a landing, a return or loitering; else it may have been cut
-  int not_for_px4 = 0;         // the command of the first item that PX4 does not fly; 0: none
-  bool above_terrain = false;  // for that item's height
+  bool takes_off = false;        // else how it comes to its first point is not known
+  bool ended = false;            // by a landing, a return or loitering; else it may have been cut
+  int not_for_px4 = 0;           // the command of the first item that PX4 does not fly; 0: none
+  bool above_terrain = false;    // for that item's height
+  bool counts_from_sea = false;  // heights of it depend on where the sea level is
   // m from home to the take-off's place, where those differ: it climbs at home and goes there. Some
   // autopilots take no heed of a take-off's place and go on from above home.
   double takeoff_from_home = 0;

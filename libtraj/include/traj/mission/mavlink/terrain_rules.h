@@ -1,13 +1,11 @@
 #pragma once
 
-// What is known of the terrain that an autopilot follows: a height model, and how far it may be
-// off.
+// What is known of the terrain that an autopilot follows.
 //
 // Example:
 //   const geom::GroundModel ground = geom::GroundModel::flat(400);
 //   const traj::TerrainRules rules{.ground = &ground, .error = 9};
-//   traj::MissionRules mission;
-//   mission.terrain = rules;
+//   assert(rules.ground->range({}).low == 400);
 
 #include "geom/map/ground_model.h"
 
