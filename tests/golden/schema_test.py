@@ -14,6 +14,7 @@ sys.path.insert(0, str(source / "tests/support"))
 import schemas  # noqa: E402
 WRITTEN = {"moving"}  # which no tool prints
 PLACEHOLDER = re.compile(r'"map":"[A-Z]+"')  # of a session that hides the hash
+HIDDEN = re.compile(r'"manifest":"…"')
 
 
 def within(node):
@@ -61,6 +62,7 @@ def records():
         for row, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
             printed = not line.startswith("> ")
             try:
+                line = HIDDEN.sub(f'"manifest":"{"0" * 64}"', line)
                 record = json.loads(PLACEHOLDER.sub(f'"map":"sha256:{"0" * 64}"', line if printed else line[2:]))
             except ValueError:
                 continue

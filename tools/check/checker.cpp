@@ -89,6 +89,12 @@ Checks Checker::flown(const traj::FileFlight& file) const {
   if (!legs) {
     out.profile =
         profile_.rows(file.id, scene, traj::trajectory_of(file.flown), out.report.result.duration);
+  } else if (const traj::FlownMission* mission = traj::mission_of(file.flown);
+             mission && mission->terrain) {
+    if (!profile_.file().empty()) {
+      throw cli::UsageError(
+          "--profile takes ways, and a mission above terrain is a band of heights");
+    }
   } else if (const auto way = traj::whole_way(scene, *legs)) {
     out.profile = profile_.rows(file.id, scene, *way);
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -17,11 +18,13 @@
 #include "cli/option/common.h"
 #include "cli/tell.h"
 #include "geom/base/error.h"
+#include "geom/base/hashed_stream.h"
 #include "geom/base/in_order.h"
 #include "geom/text/counted.h"
 #include "geom/text/json_line.h"
 #include "traj/mission/firmware/autopilot.h"
 #include "traj/record/verdict.h"
+#include "traj/submit/flight_pairs.h"
 #include "traj/submit/manifest.h"
 #include "traj/submit/operation.h"
 #include "traj/submit/population.h"
@@ -44,6 +47,13 @@ struct Refusal {
 
 std::string text_of(const fs::path& path) { return cli::InputFile(path.string()).read_all(); }
 
+traj::ListedFile found_file(const std::string& name, const fs::path& path) {
+  cli::InputFile file(path.string());
+  geom::HashedStream stream(file.stream());
+  const std::string hash = stream.hash();
+  return {name, fs::file_size(path), hash.substr(hash.find(':') + 1)};
+}
+
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> out;
   for (std::size_t at = 0; at < text.size();) {
@@ -53,6 +63,22 @@ std::vector<std::string> lines_of(const std::string& text) {
   }
   return out;
 }
+
+// The lines of a file, one after the other; none where there is no file.
+class Lines {
+ public:
+  Lines() = default;
+  explicit Lines(const fs::path& path) : file_(std::in_place, path.string()) {}
+
+  std::optional<std::string> next() {
+    std::string line;
+    if (!file_ || !std::getline(file_->stream(), line)) return std::nullopt;
+    return line;
+  }
+
+ private:
+  std::optional<cli::InputFile> file_;
+};
 
 class Folder {
  public:
@@ -67,7 +93,8 @@ class Folder {
     if (traj::summary_page(operation_, submission_, claims_) != file("summary.html")) {
       return Refusal{"summary.html", "it does not say what the other files say"};
     }
-    return why_scripts_differ();
+    if (auto why = why_scripts_differ()) return why;
+    return why_too_near();
   }
 
   std::size_t flights() const { return claims_.size(); }
@@ -93,7 +120,7 @@ class Folder {
       if (entry.is_symlink() || !entry.is_regular_file()) {
         return Refusal{name, "it is a link or a device, and no file"};
       }
-      if (name != kManifest) found.push_back(traj::listed_file(name, text_of(entry.path())));
+      if (name != kManifest) found.push_back(found_file(name, entry.path()));
     }
     std::sort(found.begin(), found.end(),
               [](const auto& a, const auto& b) { return a.path < b.path; });
@@ -122,6 +149,11 @@ class Folder {
     std::set<std::string> known{"map.boxmap",    "operation.json",    "submission.json",
                                 "claims.jsonl",  "summary.html",      "page.html",
                                 "flights.jsonl", "certificates.jsonl"};
+    if (submission_.method.params) known.insert(cli::kParamsFile);
+    if (submission_.pairs) {
+      known.insert("pairs.jsonl");
+      if (submission_.pairs->refused == 0) known.insert("pair_certificates.jsonl");
+    }
     if (submission_.population) known.insert("population.csv");
     for (const std::string& mission : submission_.missions) known.insert("missions/" + mission);
     for (const traj::FlightClaims& one : claims_) {
@@ -185,9 +217,9 @@ class Folder {
 
   struct Item {
     std::size_t index = 0;
-    std::string text = {};  // its record
+    std::string text = {};  // its record; empty: a mission
     std::string certificate = {};
-    cli::SubmittedFlight mission = {};
+    cli::SubmittedFlight flight = {};
     std::optional<Refusal> refusal = {};
   };
 
@@ -195,53 +227,100 @@ class Folder {
     const traj::SubmissionMethod& method = submission_.method;
     geom::Scenes scenes(*map_, {method.made_for.vehicle, method.made_for.margin},
                         geom::Differences::refused, geom::CollisionOptions().budget);
-    const cli::SubmittedFlights open(scenes, method);
-    std::vector<Item> items;
-    for (const std::string& line :
-         has("flights.jsonl") ? lines_of(file("flights.jsonl")) : std::vector<std::string>()) {
-      items.push_back({items.size(), line});
-    }
-    const std::vector<std::string> certificates = has("certificates.jsonl")
-                                                      ? lines_of(file("certificates.jsonl"))
-                                                      : std::vector<std::string>();
-    if (certificates.size() != items.size()) {
-      return Refusal{"certificates.jsonl", fmt::format("it has {}, and flights.jsonl {}",
-                                                       geom::counted(certificates.size(), "line"),
-                                                       geom::counted(items.size(), "line"))};
-    }
-    for (Item& item : items) item.certificate = certificates[item.index] + '\n';
+    std::optional<std::string> params;
+    if (method.params) params = file(cli::kParamsFile);
+    const cli::SubmittedFlights open(scenes, method, params);
+    std::vector<cli::SubmittedFlight> missions;
     for (const std::string& name : submission_.missions) {
       for (auto& mission : open.of_mission(file("missions/" + name), "missions/" + name)) {
-        items.push_back({items.size(), {}, {}, std::move(mission)});
+        missions.push_back(std::move(mission));
       }
     }
-    if (items.size() != claims_.size()) {
-      return Refusal{"claims.jsonl", fmt::format("it has {}, and there are {}",
-                                                 geom::counted(claims_.size(), "line"),
-                                                 geom::counted(items.size(), "flight"))};
-    }
-    return first_refusal(open, items);
+    if (method.together) set_.emplace(*method.together);
+    if (auto why = first_refusal(open, missions)) return why;
+    return why_pairs_differ();
   }
 
+  // The flights in their order: records, each with its certificate, and then missions.
   std::optional<Refusal> first_refusal(const cli::SubmittedFlights& open,
-                                       std::vector<Item>& items) const {
+                                       std::vector<cli::SubmittedFlight>& missions) {
+    Lines records = lines_in("flights.jsonl");
+    Lines certificates = lines_in("certificates.jsonl");
     std::optional<Refusal> first;
-    std::size_t next_item = 0;
+    std::atomic<bool> refused = false;
+    std::size_t count = 0;
+    std::size_t of_missions = 0;
     const auto next = [&]() -> std::optional<Item> {
-      if (first || next_item == items.size()) return std::nullopt;
-      return std::move(items[next_item++]);
+      if (refused) return std::nullopt;
+      auto text = records.next();
+      auto certificate = certificates.next();
+      Item item{count};
+      if (text.has_value() != certificate.has_value()) {
+        item.refusal =
+            Refusal{"certificates.jsonl", "it and flights.jsonl have other numbers of lines"};
+      } else if (text) {
+        item.text = *std::move(text);
+        item.certificate = *std::move(certificate) + '\n';
+      } else if (of_missions < missions.size()) {
+        item.flight = std::move(missions[of_missions++]);
+      } else {
+        return std::nullopt;
+      }
+      if (count++ >= claims_.size()) item.refusal = too_many_flights();
+      return item;
     };
     const auto work = [&](Item& item) {
-      const bool record = !item.mission.flight;
-      const cli::SubmittedFlight flight =
-          record ? open.of_record(item.text, name_of("flights.jsonl"), item.index + 1)
-                 : std::move(item.mission);
-      item.refusal = why_refused(*flight.flight, claims_[item.index], item.certificate);
+      if (item.refusal) return;
+      if (!item.flight.flight) {
+        item.flight = open.of_record(item.text, name_of("flights.jsonl"), item.index + 1);
+      }
+      item.refusal = why_refused(*item.flight.flight, claims_[item.index], item.certificate);
     };
     geom::in_order<Item>(common_.execution("flights"), kFolderFlights, next, work, [&](Item& item) {
       if (!first) first = std::move(item.refusal);
+      refused = first.has_value();
+      if (set_ && !first) take(item);
     });
+    if (!first && count != claims_.size()) first = too_many_flights();
     return first;
+  }
+
+  Lines lines_in(const std::string& name) const {
+    return has(name) ? Lines(path_ / name) : Lines();
+  }
+
+  Refusal too_many_flights() const {
+    return {"claims.jsonl", fmt::format("it has {}, and there are more or fewer flights",
+                                        geom::counted(claims_.size(), "line"))};
+  }
+
+  void take(const Item& item) {
+    const auto* record = dynamic_cast<const traj::SubmittedTrajectory*>(item.flight.flight.get());
+    if (record) record->add_to(*set_, name_of("flights.jsonl"), item.index + 1);
+  }
+
+  // Flights against one another.
+  std::optional<Refusal> why_pairs_differ() {
+    if (!set_ != !submission_.pairs) {
+      return Refusal{"submission.json", "it asks for pairs and names none, or the other way round"};
+    }
+    if (!set_) return std::nullopt;
+    const traj::ComparedFlights compared = traj::compare_flights(*set_, common_.execution("pairs"));
+    if (compared.found != *submission_.pairs) {
+      return Refusal{
+          "submission.json",
+          fmt::format("of {} of flights {} come too near, and it says another number "
+                      "or names others",
+                      geom::counted(compared.found.compared, "pair"), compared.found.refused)};
+    }
+    if (file("pairs.jsonl") != compared.records) {
+      return Refusal{"pairs.jsonl", "it does not say what the flights say"};
+    }
+    if (compared.found.refused > 0) return std::nullopt;
+    if (file("pair_certificates.jsonl") != compared.certificates) {
+      return Refusal{"pair_certificates.jsonl", "it does not hold the reasons of the proof"};
+    }
+    return std::nullopt;
   }
 
   std::optional<Refusal> why_refused(const traj::SubmittedFlight& flight,
@@ -305,6 +384,17 @@ class Folder {
                                                claims.id, expected.substr(0, expected.size() - 1))};
   }
 
+  // What the folder says of itself.
+  std::optional<Refusal> why_too_near() const {
+    const auto& pairs = submission_.pairs;
+    if (!pairs || pairs->refused == 0) return std::nullopt;
+    return Refusal{"pairs.jsonl",
+                   fmt::format("{} of {} of flights come too near, as the folder says itself; the "
+                               "first: {} and {}",
+                               pairs->refused, geom::counted(pairs->compared, "pair"),
+                               pairs->named.front()[0], pairs->named.front()[1])};
+  }
+
   // --- scripts --------------------------------------------------------------------------------
 
   std::optional<Refusal> why_scripts_differ() {
@@ -329,6 +419,7 @@ class Folder {
   std::vector<traj::FlightClaims> claims_;
   std::optional<geom::BoxMap> map_;
   std::optional<traj::PopulationOnMap> people_;
+  std::optional<traj::FlightSet> set_;  // of trajectories, where they are compared
   std::vector<std::string> not_verified_;
 };
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "cli/file/files.h"
+#include "cli/option/geoid_option.h"
 #include "cli/option/numbers_option.h"
 #include "cli/option/output_option.h"
 #include "cli/option/placement_option.h"
@@ -28,6 +29,7 @@ struct Options {
     CLI::Option* const map_option =
         app.add_option("--map", map, "box map that the flight is for: gives the origin");
     cli::add_origin(app, placement);
+    cli::add_geoid_grid(app, placement);
     cli::add_ground(app, placement);
     app.get_option("--origin")->excludes(map_option);
     app.add_option("--begin", begin,
@@ -55,9 +57,12 @@ Target target_of(const Options& options) {
   }
   if (!options.map.empty() || options.placement.origin) {
     out.options.over = options.placement.mission_frame(frame);
-  } else if (options.placement.geoid != 0 || options.placement.ground) {
+  } else if (options.placement.geoid != 0 || options.placement.geoid_grid ||
+             options.placement.ground) {
     throw cli::UsageError(
-        fmt::format("--{} needs --map or --origin", options.placement.ground ? "ground" : "geoid"));
+        fmt::format("--{} needs --map or --origin", options.placement.ground       ? "ground"
+                                                    : options.placement.geoid_grid ? "geoid-grid"
+                                                                                   : "geoid"));
   }
   if (out.options.over && !out.options.over->height_known && !options.placement.ground) {
     throw cli::UsageError(
@@ -118,7 +123,8 @@ int main(int argc, char** argv) {
     const bool placed = target.options.over.has_value();
     cli::InputFile file(options.input);
     traj::Px4Flight flight = traj::read_px4_flight(file.stream(), file.name(), target.options);
-    const auto geoid = placed ? std::optional(options.placement.geoid) : std::nullopt;
+    const bool constant = placed && !options.placement.geoid_grid;
+    const auto geoid = constant ? std::optional(options.placement.geoid) : std::nullopt;
     for (const std::string& text : traj::warnings(flight, geoid)) common.warn(text);
     traj::require_positions(flight, file.name(), placed);
     set_ground(options, common, file.name(), flight);

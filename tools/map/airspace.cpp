@@ -1,7 +1,6 @@
 #include "airspace.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cmath>
 #include <filesystem>
@@ -9,13 +8,13 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/file/files.h"
+#include "cli/option/geoid_option.h"
 #include "cli/option/ground_option.h"
 #include "cli/option/numbers_option.h"
 #include "cli/option/option_check.h"
 #include "cli/tell.h"
 #include "geom/base/sha256.h"
 #include "geom/import/volume_keep_out.h"
-#include "geom/map/geoid_grid.h"
 #include "geom/text/counted.h"
 #include "geom/text/instant.h"
 #include "geom/zone/read_zones.h"
@@ -73,49 +72,19 @@ geom::GroundBand band_of(const Airspace& airspace) {
   return band;
 }
 
-// Where packages put the grids, the finest first.
-std::vector<std::string> grids_of(const std::string& word) {
-  std::vector<std::string> out;
-  const auto add = [&](std::initializer_list<const char*> names) {
-    for (const char* name : names) {
-      for (const char* folder : {"/usr/local/share/GeographicLib", "/usr/share/GeographicLib"}) {
-        out.push_back(fmt::format("{}/geoids/{}.pgm", folder, name));
-      }
-    }
-  };
-  if (word == "egm96") {
-    add({"egm96-5", "egm96-15"});
-    out.emplace_back("/usr/share/proj/egm96_15.gtx");
-  } else if (word == "egm2008") {
-    add({"egm2008-1", "egm2008-2_5", "egm2008-5"});
-  } else {
-    out.push_back(word);
-  }
-  return out;
-}
-
 // The geoid above the ellipsoid, anywhere over the map.
 geom::ZeroOffset geoid_of(const std::string& word, const geom::BoxMapSpec& spec, Json& note) {
-  const std::vector<std::string> paths = grids_of(word);
-  for (const std::string& path : paths) {
-    if (!std::filesystem::exists(path)) continue;
-    std::ifstream file(path, std::ios::binary);
-    const geom::GeoidGrid grid = geom::read_geoid_grid(file, path);
-    const geom::SunArea area = geom::area_of(spec);
-    const auto range = grid.over({area.south, area.north, area.west, area.east});
-    if (!range) {
-      throw geom::InputError(path, {.says = "the grid does not know the geoid all over the map"});
-    }
-    note = {{"grid", std::filesystem::path(path).filename().string()},
-            {"least", range->least},
-            {"most", range->most}};
-    return {range->least, range->most};
+  const cli::NamedGeoidGrid geoid = cli::geoid_grid_of(word);
+  const geom::SunArea area = geom::area_of(spec);
+  const auto range = geoid.grid.over({area.south, area.north, area.west, area.east});
+  if (!range) {
+    throw geom::InputError(geoid.path,
+                           {.says = "the grid does not know the geoid all over the map"});
   }
-  throw cli::UsageError(fmt::format(
-      "--geoid-grid: expected the grid of a geoid (egm96, egm2008 or a file, .gtx or .pgm), found "
-      "\"{}\", of which there is no file {}: geographiclib-get-geoids of the package "
-      "geographiclib-tools gets grids",
-      word, fmt::join(paths, ", ")));
+  note = {{"grid", std::filesystem::path(geoid.path).filename().string()},
+          {"least", range->least},
+          {"most", range->most}};
+  return {range->least, range->most};
 }
 
 // What the map's z of a height above the ellipsoid and above the sea is.
@@ -271,10 +240,7 @@ void Airspace::add_to(CLI::App& app) {
   app.add_option("--geoid", geoid,
                  "height of the sea level (geoid) above the ellipsoid there, metres")
       ->check(CLI::Range(-200.0, 200.0));
-  app.add_option("--geoid-grid", geoid_grid,
-                 "the same from the grid of a geoid: egm96, egm2008, or a file of PROJ (.gtx) or "
-                 "GeographicLib (.pgm)")
-      ->excludes("--geoid");
+  app.add_option("--geoid-grid", geoid_grid, cli::kGeoidGridHelp)->excludes("--geoid");
 }
 
 void Airspace::refuse_idle(const CLI::App& app) const {

@@ -13,6 +13,7 @@
 #include "geom/base/in_order.h"
 #include "geom/text/record_lines.h"
 #include "traj/record/verdict.h"
+#include "traj/submit/flight_pairs.h"
 #include "traj/submit/risk_geojson.h"
 
 namespace submitting {
@@ -69,10 +70,31 @@ void FlightFiles::take(Made made, const std::string& source) {
   made.claims.risk = cli::risk_file(name);
   folder_.add(made.claims.volumes, made.volumes);
   folder_.add(made.claims.risk, made.risk);
-  records_ += made.record;
-  certificates_ += made.certificate;
+  if (!made.record.empty()) take_record(made, source);
   claims_.push_back(std::move(made.claims));
   buffers_.push_back(std::move(made.buffers));
+}
+
+void FlightFiles::take_record(const Made& made, const std::string& source) {
+  if (!records_) {
+    records_.emplace("flights.jsonl", folder_.place_of("flights.jsonl"));
+    certificates_.emplace("certificates.jsonl", folder_.place_of("certificates.jsonl"));
+  }
+  records_->append(made.record);
+  certificates_->append(made.certificate);
+  if (!set_) return;
+  dynamic_cast<const traj::SubmittedTrajectory&>(*made.flight.flight)
+      .add_to(*set_, source, made.line);
+}
+
+std::optional<traj::FlightPairs> FlightFiles::compare() {
+  if (!set_ || !has_records_) return std::nullopt;
+  const traj::ComparedFlights compared = traj::compare_flights(*set_, common_.execution("pairs"));
+  folder_.add("pairs.jsonl", compared.records);
+  if (!compared.certificates.empty()) {
+    folder_.add("pair_certificates.jsonl", compared.certificates);
+  }
+  return compared.found;
 }
 
 void FlightFiles::add(const std::string& path, const geom::BoxMap& map) {
@@ -96,8 +118,11 @@ void FlightFiles::add(const std::string& path, const geom::BoxMap& map) {
     return std::nullopt;
   };
   const auto work = [&](Item& item) {
-    item.made = make(flights_.of_record(item.line.text, file.name(), item.line.number), map);
-    item.made.record = item.line.text + '\n';
+    cli::SubmittedFlight flight = flights_.of_record(item.line.text, file.name(), item.line.number);
+    item.made = make(flight, map);
+    item.made.record = std::move(item.line.text) + '\n';
+    item.made.line = item.line.number;
+    if (set_) item.made.flight = std::move(flight);
   };
   geom::in_order<Item>(common_.execution("flights"), kHeld, next, work,
                        [&](Item& item) { take(std::move(item.made), file.name()); });
@@ -116,8 +141,12 @@ void FlightFiles::add_mission(const std::string& path, const std::string& text,
 
 void FlightFiles::write() {
   for (Made& one : of_missions_) take(std::move(one), "missions");
-  if (!records_.empty()) folder_.add("flights.jsonl", records_);
-  if (!certificates_.empty()) folder_.add("certificates.jsonl", certificates_);
+  has_records_ = records_.has_value();
+  if (!records_) return;
+  folder_.add(*records_);
+  folder_.add(*certificates_);
+  records_.reset();
+  certificates_.reset();
 }
 
 }  // namespace submitting

@@ -10,6 +10,7 @@
 #include "cli/run.h"
 #include "geom/text/output_names.h"
 #include "submission_folder.h"
+#include "traj/check/flight_set.h"
 #include "traj/submit/submission.h"
 
 namespace submitting {
@@ -17,19 +18,26 @@ namespace submitting {
 class FlightFiles {
  public:
   // All must outlive this.
+  // Where trajectories are compared, by `together`.
   FlightFiles(const cli::Common& common, const cli::SubmittedFlights& flights,
-              SubmissionFolder& folder)
-      : common_(common), flights_(flights), folder_(folder) {}
+              SubmissionFolder& folder, const std::optional<traj::TogetherRule>& together)
+      : common_(common), flights_(flights), folder_(folder) {
+    if (together) set_.emplace(*together);
+  }
 
   // Reads a file to its end: records, or a mission. Refusals are told on stderr.
   void add(const std::string& path, const geom::BoxMap& map);
 
-  // flights.jsonl, missions/ and certificates.jsonl; once, after all were added.
+  // The rest of the files; once, after all were added.
   void write();
+
+  // Compares the trajectories, and adds pairs.jsonl and pair_certificates.jsonl. Nothing where that
+  // was not asked for, or where there is no trajectory.
+  std::optional<traj::FlightPairs> compare();
 
   std::size_t refused() const { return refused_; }
   std::size_t count() const { return claims_.size(); }  // after write() of all
-  bool has_records() const { return !records_.empty(); }
+  bool has_records() const { return has_records_; }
   const std::vector<std::string>& missions() const { return missions_; }
   std::vector<traj::FlightClaims>& claims() { return claims_; }  // in their order
   // The ground risk buffers of each of them.
@@ -46,18 +54,23 @@ class FlightFiles {
     std::string certificate;
     traj::FlightClaims claims;
     std::vector<traj::RiskVolume> buffers;
+    cli::SubmittedFlight flight = {};  // of a record, where flights are compared
+    std::size_t line = 0;
   };
 
   Made make(const cli::SubmittedFlight& flight, const geom::BoxMap& map) const;
   void take(Made made, const std::string& source);
+  void take_record(const Made& made, const std::string& source);
   void add_mission(const std::string& path, const std::string& text, const geom::BoxMap& map);
 
   const cli::Common& common_;
   const cli::SubmittedFlights& flights_;
   SubmissionFolder& folder_;
   geom::OutputNames names_{"%s", "--output"};
-  std::string records_;
-  std::string certificates_;
+  std::optional<GrowingFile> records_;
+  std::optional<GrowingFile> certificates_;
+  bool has_records_ = false;
+  std::optional<traj::FlightSet> set_;  // of trajectories, where they are compared
   std::vector<std::string> missions_;
   std::vector<traj::FlightClaims> claims_;
   std::vector<std::vector<traj::RiskVolume>> buffers_;

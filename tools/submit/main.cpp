@@ -21,6 +21,7 @@ using submitting::FlightFiles;
 using submitting::Options;
 using submitting::SubmissionFolder;
 
+constexpr std::size_t kMostShown = 1000;  // flights, on a page that a browser opens in time
 constexpr const char* kMadeBy = "skyway " SKYWAY_VERSION;
 
 std::string text_of(const std::string& path) { return cli::InputFile(path).read_all(); }
@@ -38,6 +39,16 @@ std::vector<std::string> shown_files(const FlightFiles& flights, const Submissio
     files.push_back(folder.place_of("missions/" + mission));
   }
   return files;
+}
+
+// The folder says which flights come too near, and so does the exit code.
+cli::Exit told_of_pairs(const std::optional<traj::FlightPairs>& pairs) {
+  if (!pairs || pairs->refused == 0) return cli::Exit::yes;
+  cli::complain("skyway-submit",
+                fmt::format("{} of {} of flights come too near to one another: pairs.jsonl and the "
+                            "summary name them",
+                            pairs->refused, geom::counted(pairs->compared, "pair")));
+  return cli::Exit::no;
 }
 
 }  // namespace
@@ -60,8 +71,13 @@ int main(int argc, char** argv) {
     SubmissionFolder folder(options.folder);
     folder.add("map.boxmap", text_of(options.map));
     folder.add("operation.json", operation_text);
-    const cli::SubmittedFlights open(scenes, submission.method);
-    FlightFiles flights(common, open, folder);
+    std::optional<std::string> params;
+    if (submission.method.params) {
+      params = text_of(options.params());
+      folder.add(cli::kParamsFile, *params);
+    }
+    const cli::SubmittedFlights open(scenes, submission.method, params);
+    FlightFiles flights(common, open, folder, submission.method.together);
     for (const std::string& file : options.flights) flights.add(file, scenes.map());
     flights.write();
     if (flights.refused() > 0) {
@@ -71,6 +87,8 @@ int main(int argc, char** argv) {
       return cli::Exit::no;
     }
     submission.flights = flights.count();
+    submission.pairs = flights.compare();
+    if (!submission.pairs) submission.method.together.reset();
     submission.missions = flights.missions();
     if (!options.population.empty()) {
       submitting::count_people(options.population, flights, submission, folder);
@@ -81,7 +99,12 @@ int main(int argc, char** argv) {
     for (const cli::VerifyScript& one : cli::verify_scripts()) {
       folder.add("verify/" + std::string(one.name), one.text);
     }
-    if (!options.no_page) {
+    const bool many = flights.count() > kMostShown;
+    if (many && !options.no_page) {
+      common.warn(fmt::format("{} are too many for a page, so there is none (at most {})",
+                              geom::counted(flights.count(), "flight"), kMostShown));
+    }
+    if (!options.no_page && !many) {
       folder.add("page.html",
                  submitting::view_page(common, shown_files(flights, folder), submission.method,
                                        "Flights of " + operation.by.name));
@@ -96,6 +119,6 @@ int main(int argc, char** argv) {
                         {"files", folder.files()},
                         {"bytes", bytes},
                         {"manifest_sha256", hash}});
-    return cli::Exit::yes;
+    return told_of_pairs(submission.pairs);
   });
 }

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "cli/option/numbers_option.h"
 #include "cli/option/option_check.h"
 #include "cli/option/placement_option.h"
+#include "cli/option/spacing_options.h"
 #include "cli/run.h"
 #include "geom/text/instant.h"
 #include "traj/mission/airspace/flight_volumes.h"
@@ -47,6 +50,10 @@ void Options::add_to(CLI::App& app) {
   app.add_option("--return-height", asked_.return_height,
                  "metres above home at which the autopilot returns (default: as its firmware says)")
       ->check(CLI::Range(0.0, 1e4));
+  app.add_flag("--together", together_,
+               "compare the trajectories with one another, too: the folder says that they keep "
+               "apart, or which do not");
+  cli::add_spacing(app, rule_.spacing, rule_.parked);
   app.add_option("--population", population,
                  "raster with the number of people in each cell (GeoTIFF and whatever GDAL reads)")
       ->type_name("FILE");
@@ -74,10 +81,8 @@ void Options::add_risk(CLI::App& app) {
 
 void Options::require_sound(const CLI::App& app) const {
   cli::only_for(app, contingency_ == "stop", {"--reaction", "--stop-tilt"}, "--contingency stop");
-  if (!autopilot_.params.empty()) {
-    throw cli::UsageError(
-        "--params: a folder cannot hold an autopilot's parameters yet: leave it out, and name the "
-        "firmware with --autopilot");
+  for (const char* option : cli::kSpacingOptions) {
+    cli::only_for(app, together_, {option}, "--together");
   }
 }
 
@@ -122,10 +127,14 @@ traj::SubmissionMethod Options::method(const traj::Operation& by, const geom::Bo
   if (tilt_deg_) out.risk.tilt = *tilt_deg_ * kRadians;
   out.floor = floor_.value_or(map_spec.bounds.min.z());
   out.autopilot = autopilot_.word;
+  if (!autopilot_.params.empty()) {
+    out.params = std::filesystem::path(autopilot_.params).filename().string();
+  }
   out.navigation = settled.autopilot_.flier.navigation;
   out.drag = settled.autopilot_.flier.autopilots.front().drag;
   if (profile) out.energy = profile->energy;
   out.endurance = by.uas.endurance;
+  if (together_) out.together = traj::TogetherRule{rule_.spacing, rule_.parked, true};
   return out;
 }
 

@@ -21,7 +21,8 @@ struct Options {
   std::vector<std::string> flights;
   std::string folder;
   std::string operation;
-  std::string population;  // empty: not asked for
+  std::string population;                                          // empty: not asked for
+  const std::string& params() const { return autopilot_.params; }  // empty: none
   bool no_page = false;
   cli::VehicleOptions vehicle;
   cli::LimitOptions limits;
@@ -47,6 +48,8 @@ struct Options {
   std::string between_;
   traj::Placement placement_;
   cli::AutopilotOptions autopilot_;
+  bool together_ = false;
+  traj::TogetherRule rule_;
 };
 
 }  // namespace submitting

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/file/new_folder.h"
+#include "growing_file.h"
 #include "traj/submit/manifest.h"
 
 namespace submitting {
@@ -19,6 +20,8 @@ class SubmissionFolder {
     folder_.add(name, text);
     files_.push_back(traj::listed_file(name, text));
   }
+  void add(GrowingFile& file) { files_.push_back(file.close()); }
+
   std::string place_of(const std::string& name) const { return folder_.place_of(name); }
 
   std::size_t bytes() const {

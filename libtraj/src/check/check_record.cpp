@@ -67,6 +67,7 @@ std::string takeoff_detail(const geom::CollisionScene& scene, const CheckResult&
 // Whether the exact check takes a drone file.
 bool is_straight(const Flown& flown) {
   const FlownMission* mission = mission_of(flown);
+  if (mission && mission->terrain) return false;
   return legs_of(flown) && (!mission || (mission->sweeps.empty() && mission->fences.empty()));
 }
 
@@ -76,8 +77,8 @@ void require_exact(const Flown& flown) {
     throw geom::UsageError("--exact takes paths and records, not files of trajectories");
   }
   throw geom::UsageError(
-      "--exact takes straight legs: this mission has corners, curves or fences as well; check it "
-      "without --exact");
+      "--exact takes straight legs: this mission has corners, curves, fences or heights above "
+      "terrain as well; check it without --exact");
 }
 
 // What the proof allows for, beside the way.
@@ -164,6 +165,7 @@ ReportRecord check_record(const geom::CollisionScene& scene, const FileFlight& f
     report.home = mission->home;
     report.idle_items = mission->idle_items;
     report.endless_jumps = mission->endless_jumps;
+    report.terrain = mission->terrain;
   }
   say_allowance(file, flier, report);
   report.result = judge(scene, file.flown, report.limits, rules.clearance);

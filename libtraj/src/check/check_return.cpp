@@ -41,32 +41,6 @@ ReturnReport prove(const geom::CollisionScene& scene, FlightReturn flight,
   return report;
 }
 
-// As an aircraft of DJI flies it. From its way down to the ground it returns, too.
-FlightReturn dji_return(const geom::CollisionScene& scene, FlownMission mission, const Flier& flier,
-                        const ReturnRules& rules) {
-  if (mission.lands_below && !mission.ends.landing_on) {
-    mission.ends.landing_on = ground_below(scene, mission.path.back());
-  }
-  const auto height = rules.height ? rules.height : mission.return_height;
-  if (!height && rules.action == ReturnAction::rtl) {
-    throw geom::UsageError(
-        "the height of the return is a setting of the aircraft: give it with --return-height");
-  }
-  auto speed = mission.speed ? mission.speed : mission.speed_before_return;
-  if (!speed) speed = rules.speed;
-  if (!speed) {
-    throw geom::UsageError(
-        "the mission does not say its speed, so nobody knows how far it brakes: give it with "
-        "--vmax");
-  }
-  FlightReturn out = flight_return(mission, flier, height);
-  out.task.models.push_back(dji_return_model(height.value_or(0)));
-  out.task.models.back().around += mission.path_stray;
-  out.stages.push_back(stages_of(mission, *speed));
-  out.timeline = timeline_of(mission, *speed);
-  return out;
-}
-
 }  // namespace
 
 ReturnReport check_return(const geom::CollisionScene& scene, const TrajectoryRecord& record,
@@ -99,16 +73,24 @@ ReturnReport check_return(const geom::CollisionScene& scene, const FileFlight& f
         fmt::format("--return takes missions and records: no autopilot returns from a file of {}",
                     file.format->format.word));
   }
+  if (flown->terrain) {
+    throw geom::UsageError(
+        "--return takes missions whose heights are known: over terrain nobody knows how high a "
+        "return begins");
+  }
   FlownMission mission = *flown;
   if (rules.home) mission.home = rules.home;
   if (!mission.home) {
     throw geom::UsageError(
         "the mission does not say where home is: give it with --home-place x,y,z");
   }
-  ReturnReport report = prove(scene,
-                              mission.drift.empty() ? dji_return(scene, mission, flier, rules)
-                                                    : flight_return(mission, flier, rules.height),
-                              rules);
+  ReturnReport report =
+      prove(scene,
+            mission.drift.empty()
+                ? dji_flight_return(scene, mission, flier,
+                                    {rules.height, rules.speed, rules.action == ReturnAction::rtl})
+                : flight_return(mission, flier, rules.height),
+            rules);
   if (report.reasons.empty()) return report;
   if (auto way = whole_way(scene, mission)) report.way = *std::move(way);
   return report;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "geom/base/usage_error.h"
 #include "traj/curve/vertical_ends.h"
 
 namespace traj {
@@ -41,6 +42,31 @@ FlightReturn flight_return(const FlownMission& mission, const Flier& flier,
     out.stages.push_back(stages_of(drift));
   }
   if (!mission.drift.empty()) out.timeline = timeline_of(mission.drift.front());
+  return out;
+}
+
+FlightReturn dji_flight_return(const geom::CollisionScene& scene, FlownMission mission,
+                               const Flier& flier, const DjiReturnAsked& asked) {
+  if (mission.lands_below && !mission.ends.landing_on) {
+    mission.ends.landing_on = ground_below(scene, mission.path.back());
+  }
+  const auto height = asked.height ? asked.height : mission.return_height;
+  if (!height && asked.height_counts) {
+    throw geom::UsageError(
+        "the height of the return is a setting of the aircraft: give it with --return-height");
+  }
+  auto speed = mission.speed ? mission.speed : mission.speed_before_return;
+  if (!speed) speed = asked.speed;
+  if (!speed) {
+    throw geom::UsageError(
+        "the mission does not say its speed, so nobody knows how far it brakes: give it with "
+        "--vmax");
+  }
+  FlightReturn out = flight_return(mission, flier, height);
+  out.task.models.push_back(dji_return_model(height.value_or(0)));
+  out.task.models.back().around += mission.path_stray;
+  out.stages.push_back(stages_of(mission, *speed));
+  out.timeline = timeline_of(mission, *speed);
   return out;
 }
 

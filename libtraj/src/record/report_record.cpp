@@ -111,6 +111,13 @@ JsonLine object_of(const ReturnReport& returns, const geom::BoxMap& map) {
   return line;
 }
 
+JsonLine object_of(const TerrainClaim& terrain) {
+  JsonLine line;
+  line.add("model", terrain.model).add("error", terrain.error).add("spacing", terrain.spacing);
+  line.add("lag", terrain.lag).add("band", terrain.band);
+  return line;
+}
+
 bool flag(const geom::JsonFields& fields, const nlohmann::json& object, const std::string& what) {
   if (!object.contains("ok") || !object["ok"].is_boolean()) {
     fields.refuse({.key = what,
@@ -210,6 +217,7 @@ std::string to_json_line(const ReportRecord& record, const geom::BoxMap& map) {
   if (!record.autopilot.empty()) line.add("autopilot", record.autopilot);
   if (!record.assumed.empty()) line.add("assumed", record.assumed);
   line.add("drag", record.drag);
+  if (record.terrain) line.add("terrain", object_of(*record.terrain));
   line.add("navigation", record.navigation).add("tracking", record.tracking);
   if (result.looked && !map.timed().empty()) {
     line.add("timed_boxes", record.by_time ? "by_time" : "always_there");

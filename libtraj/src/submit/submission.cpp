@@ -54,6 +54,25 @@ JsonLine json_of(const SourceFile& file) {
   return out;
 }
 
+JsonLine json_of(const TogetherRule& rule) {
+  JsonLine out;
+  const auto sides = [](const Zone& zone) {
+    return zone.round ? std::vector{zone.reach.x(), zone.reach.z()}
+                      : std::vector{zone.reach.x(), zone.reach.y(), zone.reach.z()};
+  };
+  if (const auto& zone = rule.spacing.zone) {
+    out.add(zone->round ? "separation" : "separation_box", sides(*zone));
+  }
+  if (const auto& zone = rule.spacing.downwash) out.add("downwash", sides(*zone));
+  return std::move(out.add("parked", geom::word_of(kParkedWords, rule.parked)));
+}
+
+JsonLine json_of(const FlightPairs& pairs) {
+  JsonLine out;
+  return std::move(
+      out.add("compared", pairs.compared).add("too_near", pairs.refused).add("named", pairs.named));
+}
+
 JsonLine json_of(const SubmissionMethod& method) {
   JsonLine out;
   out.add("origin",
@@ -63,6 +82,7 @@ JsonLine json_of(const SubmissionMethod& method) {
       .add("risk", json_of(method.risk))
       .add("floor", method.floor)
       .add("autopilot", method.autopilot)
+      .add("params", method.params)
       .add("return_height", method.return_height);
   if (method.navigation) {
     out.add("navigation", std::vector{method.navigation->across, method.navigation->vertical});
@@ -71,6 +91,7 @@ JsonLine json_of(const SubmissionMethod& method) {
   if (method.energy) out.add("energy", json_of(*method.energy));
   geom::add(out, method.limits);
   out.add("endurance", method.endurance).add("begins", method.begins).add("ends", method.ends);
+  if (method.together) out.add("together", json_of(*method.together));
   return out;
 }
 
@@ -153,6 +174,36 @@ Energy read_energy(const JsonFields& fields) {
           number(fields, "reserve", 0, 1 - 1e-9)};
 }
 
+std::optional<Zone> read_zone(const JsonFields& fields, const char* key, std::size_t sides) {
+  if (!fields.has(key)) return std::nullopt;
+  const std::vector<double> reach = numbers(fields, key, sides, 1e-9, 1e8);
+  return sides == 2 ? cylinder(reach[0], reach[1]) : Zone{false, {reach[0], reach[1], reach[2]}};
+}
+
+TogetherRule read_together(const JsonFields& fields) {
+  TogetherRule out{.exact = true};
+  out.spacing.zone = read_zone(fields, "separation", 2);
+  if (!out.spacing.zone) out.spacing.zone = read_zone(fields, "separation_box", 3);
+  out.spacing.downwash = read_zone(fields, "downwash", 2);
+  out.parked = fields.word("parked", kParkedWords, Parked::pad);
+  return out;
+}
+
+FlightPairs read_pairs(const JsonFields& fields) {
+  FlightPairs out{count(fields, "compared", 0, 1e18), count(fields, "too_near", 0, 1e18), {}};
+  const nlohmann::json& named = fields.value("named");
+  const auto is_pair = [](const nlohmann::json& one) {
+    return one.is_array() && one.size() == 2 && one[0].is_string() && one[1].is_string();
+  };
+  if (!named.is_array() || !std::all_of(named.begin(), named.end(), is_pair)) {
+    fields.refuse({.key = "named", .expected = "pairs of ids", .found = geom::shown(named)});
+  }
+  for (const nlohmann::json& one : named) {
+    out.named.push_back({one[0].get<std::string>(), one[1].get<std::string>()});
+  }
+  return out;
+}
+
 SubmissionMethod read_method(const JsonFields& fields, std::string_view source) {
   SubmissionMethod out;
   const std::vector<double> origin = numbers(fields, "origin", 3, -1e5, 1e5);
@@ -163,6 +214,7 @@ SubmissionMethod read_method(const JsonFields& fields, std::string_view source) 
   out.risk = read_rules(member(fields, "risk", source));
   out.floor = number(fields, "floor", -1e5, 1e5);
   out.autopilot = fields.text("autopilot");
+  if (fields.has("params")) out.params = fields.text("params");
   out.return_height = number_or_nothing(fields, "return_height", 0, 1e4);
   if (fields.has("navigation")) {
     const std::vector<double> value = numbers(fields, "navigation", 2, 0, 100);
@@ -175,6 +227,7 @@ SubmissionMethod read_method(const JsonFields& fields, std::string_view source) 
   out.endurance = number_or_nothing(fields, "endurance", 1e-9, 1e9);
   out.begins = instant(fields, "begins");
   out.ends = instant(fields, "ends");
+  if (fields.has("together")) out.together = read_together(member(fields, "together", source));
   return out;
 }
 
@@ -202,6 +255,7 @@ std::string to_json_line(const Submission& submission) {
       .add("missions", submission.missions);
   if (submission.population) out.add("population", json_of(*submission.population));
   out.add("zones", submission.zones, [](const SourceFile& file) { return json_of(file); });
+  if (submission.pairs) out.add("pairs", json_of(*submission.pairs));
   return out.line();
 }
 
@@ -235,6 +289,7 @@ Submission read_submission(std::string_view json, std::string_view source) {
   for (const nlohmann::json& zone : list(fields, "zones")) {
     out.zones.push_back(read_source_file(zone, source));
   }
+  if (fields.has("pairs")) out.pairs = read_pairs(member(fields, "pairs", source));
   return out;
 }
 

@@ -63,6 +63,10 @@ SubmittedMission::SubmittedMission(const geom::CollisionScene& scene, const File
   mission_.path_stray += file.flown.navigation;
   if (mission->drift.empty()) {  // of DJI: on its way, with turns that are swept
     seconds_ = seconds_of({stages_of(*mission, *mission->speed)});
+    const bool height_known = method.return_height || mission->return_height;
+    if (method.risk.contingency == ContingencyRule::ways_home && height_known) {
+      return_ = dji_flight_return(scene, *mission, flier, {.height = method.return_height});
+    }
     return;
   }
   const FlightReturn of = flight_return(*mission, flier, method.return_height);
@@ -77,8 +81,9 @@ std::optional<std::string> SubmittedMission::why_no_times() const {
            "make a trajectory of it (skyway-import-trajectory)";
   }
   if (method_.risk.contingency == ContingencyRule::ways_home && !return_) {
-    return "the volumes of a return are made for missions of PX4 and ArduPilot alone: leave "
-           "--contingency return out";
+    return "the height of the return is a setting of the aircraft: give it with --return-height, "
+           "or "
+           "leave --contingency return out";
   }
   if (mission_.returns) {
     return "it ends with a return whose way is not known: say how high it returns "

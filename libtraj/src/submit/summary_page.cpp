@@ -153,12 +153,53 @@ class Page {
           "The number of people is that of all cells of the raster which a ground risk buffer "
           "touches, each counted whole.");
     }
+    pairs();
     if (method_.energy) {
       item(
           "Each flight ends before the battery is down to its reserve, at the largest power that "
           "the vehicle's profile names.");
     }
     out_ += "</ul>\n";
+  }
+
+  // How far apart flights keep, in words.
+  std::string spacing() const {
+    const Spacing& asked = method_.together->spacing;
+    std::string out = "the boxes that hold them, with their margins, never touch";
+    if (const auto& zone = asked.zone) {
+      out = zone->round
+                ? fmt::format("{:g} m across or {:g} m in height", zone->reach.x(), zone->reach.z())
+                : fmt::format("{:g}, {:g} or {:g} m along the map's axes", zone->reach.x(),
+                              zone->reach.y(), zone->reach.z());
+    }
+    if (const auto& zone = asked.downwash) {
+      out += fmt::format(", and no flight is within {:g} m across and {:g} m below another",
+                         zone->reach.x(), zone->reach.z());
+    }
+    return out + (method_.together->parked == Parked::pad
+                      ? "; before and after its flight each stands where it begins and ends"
+                      : "; before and after its flight none is there");
+  }
+
+  void pairs() {
+    if (!submission_.pairs) return;
+    const FlightPairs& found = *submission_.pairs;
+    if (found.refused == 0) {
+      item(
+          fmt::format("At every instant all {} of trajectories keep apart: {}. "
+                      "pair_certificates.jsonl holds the reasons.",
+                      geom::counted(found.compared, "pair"), spacing()));
+      return;
+    }
+    std::string named;
+    for (const auto& [one, other] : found.named) {
+      named += fmt::format("{}{} and {}", named.empty() ? "" : "; ", one, other);
+    }
+    item(
+        fmt::format("{} of {} of trajectories come too near to one another: {}{}. "
+                    "Asked for: {}. All others keep apart.",
+                    found.refused, geom::counted(found.compared, "pair"), named,
+                    found.named.size() < found.refused ? "; pairs.jsonl has all" : "", spacing()));
   }
 
   void assumed() {
@@ -193,7 +234,12 @@ class Page {
                        method_.begins.value_or(""), method_.ends.value_or("")));
     }
     assume_ground();
-    item("The flights were not compared with each other, nor with other traffic.");
+    item(!submission_.pairs
+             ? "The flights were not compared with each other, nor with other traffic."
+         : has_kind("mission")
+             ? "Missions have no times, so they were not compared with any flight. Nothing was "
+               "compared with other traffic."
+             : "The flights were not compared with other traffic.");
     item(submission_.zones.empty()
              ? "No zones of airspace were looked at, other than what the map holds."
              : "Zones of airspace are as the files below say. What they close is an obstacle of "
@@ -202,12 +248,17 @@ class Page {
     out_ += "</ul>\n";
   }
 
+  std::string parameters() const {
+    if (!method_.params) return "its firmware";
+    return "autopilot.params (" + *method_.params + "); what it does not have, of its firmware";
+  }
+
   // What decides where an autopilot may be, and is in no file.
   std::string mission_reading() const {
     std::string out = fmt::format(
-        "Missions are flown by an autopilot ({}) with the parameters of its firmware, an airframe "
+        "Missions are flown by an autopilot ({}) with the parameters of {}, an airframe "
         "with a drag over its mass of {:g} 1/s, and sea level {:g} m above the ellipsoid",
-        method_.autopilot, method_.drag.value_or(0), method_.geoid);
+        method_.autopilot, parameters(), method_.drag.value_or(0), method_.geoid);
     if (method_.ground) out += fmt::format(", from ground at {:g} m", *method_.ground);
     if (method_.navigation) {
       out += fmt::format(
@@ -221,10 +272,9 @@ class Page {
     const RiskRules& rules = method_.risk;
     if (rules.contingency == ContingencyRule::ways_home) {
       item(fmt::format(
-          "If something goes wrong, the autopilot ({}) returns as its firmware's model says, with "
-          "a "
-          "drag over its mass of {:g} 1/s{}.",
-          method_.autopilot, method_.drag.value_or(0),
+          "If something goes wrong, the autopilot ({}), or the aircraft of DJI, returns as its "
+          "model says, with the parameters of {}, and a drag over its mass of {:g} 1/s{}.",
+          method_.autopilot, parameters(), method_.drag.value_or(0),
           method_.return_height ? fmt::format(", {:g} m above home", *method_.return_height)
                                 : std::string()));
       double least = 1;
@@ -354,8 +404,9 @@ class Page {
         "folder with</p>\n<pre>skyway-check FOLDER</pre>\n"
         "<p>Scripts that share no code with it, and need only Python, are in the folder:</p>\n"
         "<pre>python3 FOLDER/verify/verify_folder.py FOLDER</pre>\n"
-        "<p class=\"note\"><code>page.html</code> shows map and flights. It is for looking, and "
-        "nothing is proved of it.</p>\n";
+        "<p class=\"note\"><code>page.html</code>, where it is there, shows map and flights. It is "
+        "for "
+        "looking, and nothing is proved of it.</p>\n";
   }
 
   const Operation& operation_;

@@ -5,6 +5,7 @@ import hashlib
 import os
 import pathlib
 import re
+import struct
 import subprocess
 import sys
 import tempfile
@@ -37,7 +38,7 @@ VALUES = {
     "--downwash": "1,2", "--parked": "gone", "--rate": "20", "--speed": "0.7", "--hover": None, "--wpml-version": "1.0.2",
     "--aircraft": "m30", "--lost-link": "continue", "--gimbal": "-45", "--label-by": "object", "--turns": "3", "--volumes": "3", "--buffer": "2", "--python": "x.py", "--table": "x.csv",
     "--return": "rtl", "--rally": "30,5,10", "--rally-out": "x.rally", "--fence": "auto", "--fence-budget": "20", "--fence-out": "x.fence", "--params-out": "x.params",
-    "--procedure": "x.txt",
+    "--procedure": "x.txt", "--ground-model": "1", "--terrain-error": "3", "--geoid-grid": "g.gtx",
 }
 # Where the same word means another thing.
 OF_TOOL = {"skyway-check": {"--vmax": "1", "--amax": "2"}, "skyway-cloud": {"--origin": "37.79,-122.39"},
@@ -114,6 +115,7 @@ def maps():
 
 def flights():
     """(tool, format, arguments) of what flies; the files are made first."""
+    pathlib.Path("g.gtx").write_bytes(struct.pack(">4d2i4f", 37, -123, 1, 1, 2, 2, 57, 57, 57, 57))
     for format, name in (("crazyflie", "t.csv"), ("setpoints", "s.csv"), ("tello", "f.txt"), ("wpl", "m.waypoints"),
                          ("qgc-plan", "m.plan"), ("dji-wpml", "m.kmz"), ("kml", "m.kml"), ("geojson", "m.geojson"), ("gltf", "l.glb"),
                          ("volume4d", "v.json")):

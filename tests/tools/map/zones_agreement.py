@@ -331,8 +331,9 @@ def first_day(periods):
     return instant(starts[0]).astimezone(UTC) if starts else datetime.datetime(2026, 1, 4, tzinfo=UTC)
 
 
-def check(tools, path, points, seed):
-    zones = list(zones_of(json.loads(pathlib.Path(path).read_text(encoding="utf-8-sig"))))
+def check(tools, path, points, seed, truth=None):
+    """Of a file, or of a damaged copy of the file `truth`, whose zones it must close."""
+    zones = list(zones_of(json.loads(pathlib.Path(truth or path).read_text(encoding="utf-8-sig"))))
     volumes = [(v, periods) for _, vs, periods in zones for v in vs]
     per = max(1, points // len(volumes))
     counts = {"points": 0, "in_zones": 0, "wrongly_free": 0, "closed_outside": 0}
@@ -354,6 +355,8 @@ def check(tools, path, points, seed):
                     print("wrongly free:", path, "volume", k, p, lon, lat, case.epoch)
     print(pathlib.Path(path).name, *(f"{k} {v}" for k, v in counts.items()), flush=True)
     # The map is not closed all over, nor open all over.
+    if truth:
+        return counts["wrongly_free"] == 0
     return counts["wrongly_free"] == 0 and counts["in_zones"] > 0 and counts["in_zones"] < counts["points"]
 
 
@@ -418,13 +421,57 @@ def write_traps(folder):
     return [ed269, ed318]
 
 
+def members(value, at=()):
+    """Paths to all members of a JSON value, those within rings left out."""
+    for key, one in value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ():
+        yield (*at, key)
+        if key != "coordinates":
+            yield from members(one, (*at, key))
+
+
+def check_damaged(tools, path, count, seed):
+    """Copies in which a member is no longer what it must be: refused, or all that the whole file closes is closed."""
+    data, rnd = json.loads(path.read_text(encoding="utf-8-sig")), random.Random(seed)
+    refused, ok = 0, True
+    with tempfile.TemporaryDirectory() as name:
+        for at in rnd.sample(list(members(data)), count):
+            copy = json.loads(json.dumps(data))
+            holder = copy
+            for key in at[:-1]:
+                holder = holder[key]
+            holder[at[-1]] = {"purposely_invalid": "no such thing"}
+            damaged = pathlib.Path(name) / "damaged.json"
+            damaged.write_text(json.dumps(copy), encoding="utf-8")
+            try:
+                ok = check(tools, damaged, 200, seed, path) and ok
+            except subprocess.CalledProcessError as error:
+                refused += 1
+                ok = error.returncode == 3 and ok
+    print(f"{path.name} damaged: {refused} of {count} refused, the others close all of it: {ok}", flush=True)
+    return ok
+
+
+def is_refused(tools, path):
+    """An example that its makers call invalid."""
+    try:
+        check(tools, path, 1, 0, path.with_name(path.name.removeprefix("Invalid")))
+    except subprocess.CalledProcessError as error:
+        return error.returncode == 3
+    return False
+
+
 def main():
     tools, points, seed = pathlib.Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3])
     with tempfile.TemporaryDirectory() as name:
         files = write_traps(pathlib.Path(name))
         if data := os.environ.get("SKYWAY_REALDATA"):
             zones = pathlib.Path(data) / "zones"
-            files += sorted(zones.glob("*.json")) + sorted(zones.glob("ed318/Example*.json"))
+            examples = sorted(zones.glob("ed318/Example*.json"))
+            files += sorted(zones.glob("*.json")) + examples
+            damaged = [check_damaged(tools, path, 10, seed) for path in examples]
+            refused = [is_refused(tools, path) for path in sorted(zones.glob("ed318/Invalid*.json"))]
+            if not all(damaged + refused):
+                return 1
         return 0 if all([check(tools, path, points, seed) for path in files]) else 1
 
 

@@ -16,6 +16,9 @@ import tempfile
 
 tools = pathlib.Path(sys.argv[1])
 source = pathlib.Path(sys.argv[2])
+sys.path.insert(0, str(source / "tests/support"))
+import schemas  # noqa: E402
+
 EPOCH = "2026-05-04T06:30:00Z"
 
 
@@ -37,11 +40,27 @@ def make(where):
     common = (city, flights, source / "data/samples/mission.plan", "--operation", source / "data/samples/operation.json",
               "--vehicle", "quad2kg", "--origin", "37,-122,10", "--ground", "0", "--between", f"{EPOCH},2026-05-04T07:00:00Z")
     margin = ("--margin", "1")
-    for name, more in (("stop", ("--buffer", "2")), ("return", ("--contingency", "return", "--autopilot", "px4",
+    for name, more in (("stop", ("--buffer", "2", "--together", "--separation", "2,1", "--parked", "gone")), ("return", ("--contingency", "return", "--autopilot", "px4",
                                                                "--ground-buffer", "ballistic", "--return-height", "60"))):
         made = tool("submit", *common, *margin, *more, "-q", "-o", where / name)
         assert made.returncode == 0, made.stderr
     return [where / "stop", where / "return"]
+
+
+def keep_their_schemas(folder, report):
+    """Each record of a folder has its schema, and none of its members is unknown to it."""
+    known = schemas.validators(source)
+    records = [("manifest", (folder / "manifest.json").read_text()), ("submission", (folder / "submission.json").read_text()),
+               ("operation", (folder / "operation.json").read_text()), ("folder_report", report)]
+    for name, kind in (("claims.jsonl", "flight_claims"), ("flights.jsonl", "trajectory"), ("pairs.jsonl", None)):
+        if (folder / name).exists():
+            records += [(kind or json.loads(line)["type"], line) for line in (folder / name).read_text().splitlines()]
+    for kind, text in records:
+        record = json.loads(text)
+        fault = next(iter(known[kind].iter_errors(record)), None)
+        assert fault is None, f"{folder.name}: {kind}: {fault.message}"
+        for key in known[kind].schema["required"]:
+            assert not known[kind].is_valid({k: v for k, v in record.items() if k != key}), f"{kind}: {key} is not needed"
 
 
 def listed(folder):
@@ -208,6 +227,7 @@ def main():
             checked = tool("check", folder)
             assert checked.returncode == 0, checked.stderr
             assert json.loads(checked.stdout)["not_verified"] == ["page.html"]
+            keep_their_schemas(folder, checked.stdout)
             followed = run(sys.executable, "-B", folder / "verify/verify_folder.py", folder)
             assert followed.returncode == 0, followed.stdout
         change_files(folders[0], where)
@@ -220,6 +240,8 @@ def main():
         change_values(folders[0], where, "operation.json")
         change_values(folders[0], where, "flights.jsonl", step=29, keep=("solver", "yaw"))
         change_values(folders[0], where, "certificates.jsonl", step=11)
+        change_values(folders[0], where, "pairs.jsonl")
+        change_values(folders[0], where, "pair_certificates.jsonl", step=11)
         change_values(folders[0], where, "volumes/mission.json", step=7)
         # A page is for looking: the check says that it is not verified.
         mutant = copy(folders[0], where)

@@ -3,7 +3,8 @@
 Python's standard library is enough. The script works out
 
 - the SHA-256 of every file, and that no file is missing or is not in manifest.json;
-- the certificates of all trajectories in exact fractions (verify_certificate.py, beside this script);
+- the certificates of all trajectories in exact fractions (verify_certificate.py, beside this script), and of
+  pairs of them, where the folder says that all keep apart (verify_together.py);
 - at many instants of each trajectory, and at all its joints, that a volume of that time holds the box of
   the vehicle with its margin and the buffer;
 - how far contingency volumes and ground risk buffers reach around what they are around, from the numbers
@@ -303,15 +304,44 @@ def check_claims(record, claims, method):
         require(duration <= method["endurance"], file, "it flies longer than the vehicle can")
 
 
+def follow(folder, script, names):
+    """Runs a script that stands beside this one, or in the folder `check` beside this one's."""
+    here = os.path.dirname(os.path.abspath(__file__))
+    path = os.path.join(here, script)
+    if not os.path.exists(path):
+        path = os.path.join(here, "..", "check", script)
+    command = [sys.executable, "-B", path, *(os.path.join(folder, name) for name in names)]
+    ran = subprocess.run(command, capture_output=True, text=True, check=False)
+    require(ran.returncode == 0, names[-1], (ran.stdout + ran.stderr).strip().splitlines()[-1:])
+
+
 def check_certificates(folder, found):
-    if "flights.jsonl" not in found:
+    if "flights.jsonl" in found:
+        follow(folder, "verify_certificate.py", ["flights.jsonl", "map.boxmap", "certificates.jsonl"])
+
+
+def check_pairs(folder, found, submission):
+    """Pairs that come too near are the folder's own words against itself: they are counted alone."""
+    asked, said = submission["method"].get("together"), submission.get("pairs")
+    require((asked is None) == (said is None) == ("pairs.jsonl" not in found), "submission.json", "pairs are missing")
+    if asked is None:
         return
-    script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "verify_certificate.py")
-    if not os.path.exists(script):
-        script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "check", "verify_certificate.py")
-    names = [os.path.join(folder, name) for name in ("flights.jsonl", "map.boxmap", "certificates.jsonl")]
-    ran = subprocess.run([sys.executable, "-B", script, *names], capture_output=True, text=True, check=False)
-    require(ran.returncode == 0, "certificates.jsonl", (ran.stdout + ran.stderr).strip().splitlines()[-1:])
+    records = lines(folder, "pairs.jsonl")
+    pairs, together = records[:-1], records[-1]
+    require(together["type"] == "together" and all(one["type"] == "pair" for one in pairs), "pairs.jsonl", "other records")
+    require(said["too_near"] == len(pairs) == together["refused"], "pairs.jsonl", "another number of pairs")
+    flights = lines(folder, "flights.jsonl")
+    require(said["compared"] == together["pairs"] == len(flights) * (len(flights) - 1) // 2, "pairs.jsonl",
+            "not all pairs were compared")
+    if not pairs:
+        for key, sides in (("separation", asked.get("separation", asked.get("separation_box"))), ("downwash", asked.get("downwash"))):
+            wanted = "vehicles" if key == "separation" else None
+            if sides:
+                reach = [sides[0], *sides] if len(sides) == 2 else sides
+                wanted = {"shape": "cylinder" if len(sides) == 2 else "box", "reach": reach}
+            require(together.get(key) == wanted, "pairs.jsonl", f"its {key} is another")
+        require(together["parked"] == asked["parked"], "pairs.jsonl", "it is for other rests")
+        follow(folder, "verify_together.py", ["flights.jsonl", "pair_certificates.jsonl"])
 
 
 def check(folder):
@@ -323,6 +353,7 @@ def check(folder):
     require(len(claims) == submission["flights"], "claims.jsonl", "flights are missing")
     require(set(records) == {c["id"] for c in claims if c["kind"] == "trajectory"}, "claims.jsonl", "its flights are others")
     check_certificates(folder, found)
+    check_pairs(folder, found, submission)
     cells = population(folder, origin)
     for one in claims:
         nominal = intent_volumes(folder, one["volumes"], origin, "volumes")

@@ -11,12 +11,16 @@
 namespace cli {
 namespace {
 
-traj::Flier flier_of(const traj::SubmissionMethod& method) {
+traj::Flier flier_of(const traj::SubmissionMethod& method,
+                     const std::optional<std::string>& params) {
   if (!traj::autopilots_of(method.autopilot)) {
     throw UsageError("--autopilot: expected " + traj::autopilot_words() + ", found \"" +
                      method.autopilot + '"');
   }
   AutopilotOptions options{.word = method.autopilot, .drag = method.drag};
+  options.params = kParamsFile;
+  options.params_text = params;
+  if (!params) options.params.clear();
   options.flier.navigation = method.navigation;
   options.settle(std::nullopt);
   return options.flier;
@@ -24,8 +28,9 @@ traj::Flier flier_of(const traj::SubmissionMethod& method) {
 
 }  // namespace
 
-SubmittedFlights::SubmittedFlights(geom::Scenes& scenes, const traj::SubmissionMethod& method)
-    : scenes_(scenes), method_(method), flier_(flier_of(method)) {}
+SubmittedFlights::SubmittedFlights(geom::Scenes& scenes, const traj::SubmissionMethod& method,
+                                   const std::optional<std::string>& params)
+    : scenes_(scenes), method_(method), flier_(flier_of(method, params)) {}
 
 SubmittedFlight SubmittedFlights::of_record(const std::string& text, const std::string& source,
                                             std::size_t line) const {

@@ -3,6 +3,7 @@
 // Flights of a folder for an authority, read and proved as the folder's method says.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,11 @@ struct SubmittedFlight {
 
 class SubmittedFlights {
  public:
-  // All must outlive this, and what it gives. Throws UsageError for an autopilot that nobody knows.
-  SubmittedFlights(geom::Scenes& scenes, const traj::SubmissionMethod& method);
+  // All must outlive this, and what it gives. `params`: the text of autopilot.params, where the
+  // method names it. Throws UsageError for an autopilot that nobody knows, and InputError for
+  // parameters as traj::set_autopilot().
+  SubmittedFlights(geom::Scenes& scenes, const traj::SubmissionMethod& method,
+                   const std::optional<std::string>& params);
 
   // Of a line of flights.jsonl. Threads may call at once. Throws geom::InputError(source, line, …)
   // for a path and for what is no record.
@@ -35,6 +39,9 @@ class SubmittedFlights {
   const traj::SubmissionMethod& method_;
   traj::Flier flier_;
 };
+
+// The parameters of the autopilot in a folder.
+inline constexpr const char* kParamsFile = "autopilot.params";
 
 // The files of a flight in a folder, by its id.
 std::string volumes_file(const std::string& name);

@@ -54,7 +54,8 @@ constexpr Group kGroups[] = {
      "--takeoff-place --origin --geoid=METRES --ground=METRES --takeoff-height=METRES "
      "--heading=DEGREES "
      "--acceptance=METRES --braking=METRES/S2 --return-height=METRES --terrain-height=METRES "
-     "--autopilot=WORD --params --drag=PER-SECOND"},
+     "--autopilot=WORD --params --drag=PER-SECOND check--ground-model=FILE|METRES "
+     "--terrain-error=METRES"},
     {"Flights together",
      "--together --separation --separation-box --downwash --parked --max-delay=SECONDS --improve "
      "--nearer-than=METRES"},

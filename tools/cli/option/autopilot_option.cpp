@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "cli/answer/exit.h"
 #include "cli/file/files.h"
@@ -78,16 +79,16 @@ void AutopilotOptions::settle(const std::optional<traj::VehicleProfile>& profile
     flier.navigation = traj::Uncertainty{profile->navigation->x(), profile->navigation->y()};
   }
   flier.autopilots = traj::autopilots_of(word).value();
-  if (!params.empty()) take_parameters();
+  if (!params.empty() || params_text) take_parameters();
   if (!drag) drag = drag_of(profile);
   if (!drag) return;
   for (traj::Autopilot& one : flier.autopilots) traj::set_drag(one, *drag);
 }
 
 void AutopilotOptions::take_parameters() {
-  InputFile file(params);
-  const auto settings = traj::read_autopilot_settings(file.stream(), file.name());
-  traj::SetAutopilot set = traj::set_autopilot(settings, flier.autopilots, file.name());
+  std::istringstream in(params_text ? *params_text : InputFile(params).read_all());
+  const auto settings = traj::read_autopilot_settings(in, params);
+  traj::SetAutopilot set = traj::set_autopilot(settings, flier.autopilots, params);
   flier.autopilots = {set.autopilot};
   flier.exactly = set.autopilot;
   flier.assumed = std::move(set.assumed);

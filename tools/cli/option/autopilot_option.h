@@ -12,8 +12,10 @@
 namespace cli {
 
 struct AutopilotOptions {
-  std::string word = "any";         // --autopilot
-  std::string params = {};          // --params
+  std::string word = "any";  // --autopilot
+  std::string params = {};   // --params
+  // The same as a text that was read already; goes before it.
+  std::optional<std::string> params_text = {};
   std::optional<double> drag = {};  // --drag
   traj::Flier flier = {};           // --navigation and --tracking; settle() gives the rest
 

@@ -1,5 +1,6 @@
 #include "placement_option.h"
 
+#include "geoid_option.h"
 #include "origin_option.h"
 
 namespace cli {
@@ -26,6 +27,7 @@ void add_ground(CLI::App& app, traj::Placement& placement) {
 
 void add_placement(CLI::App& app, traj::Placement& placement) {
   add_origin(app, placement);
+  add_geoid_grid(app, placement);
   add_ground(app, placement);
   app.add_option("--takeoff-height", placement.takeoff_height,
                  "metres above the ground to which a Tello rises on take-off (default 1)")

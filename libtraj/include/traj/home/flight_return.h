@@ -28,6 +28,18 @@ struct FlightReturn {
 FlightReturn flight_return(const FlownMission& mission, const Flier& flier,
                            const std::optional<double>& height);
 
+// As an aircraft of DJI flies it, from its way down to the ground, too. `height`: m above home;
+// else the mission's own. `speed`: m/s, where the mission does not say it. Throws geom::UsageError
+// where nobody says the speed, or the height and `height_counts`. The mission knows its home
+// (precondition).
+struct DjiReturnAsked {
+  std::optional<double> height = {};
+  std::optional<double> speed = {};
+  bool height_counts = true;  // false: it lands, or stays
+};
+FlightReturn dji_flight_return(const geom::CollisionScene& scene, FlownMission mission,
+                               const Flier& flier, const DjiReturnAsked& asked);
+
 // From every one of these stages of a flight between two places, in the axes of the scene's map, to
 // the ground below the first, by each autopilot of the flier. It stands on the level ground below
 // either place.

@@ -23,6 +23,7 @@
 #include "traj/proof/exact/exact_check.h"
 #include "traj/record/return_report.h"
 #include "traj/record/return_summary.h"
+#include "traj/record/terrain_claim.h"
 #include "traj/record/trajectory_record.h"
 
 namespace traj {
@@ -54,7 +55,8 @@ struct ReportRecord {
   std::optional<std::array<double, 2>> navigation = {};
   std::optional<std::array<double, 2>> tracking = {};
   std::size_t endless_jumps = 0;
-  std::string detail = {};  // of the reason, in words; may be empty
+  std::optional<TerrainClaim> terrain = {};  // of a mission with heights above terrain
+  std::string detail = {};                   // of the reason, in words; may be empty
   geom::FlightTime time = {};
   // Whether timed boxes counted by their times; else as always there.
   bool by_time = false;

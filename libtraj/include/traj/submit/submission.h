@@ -10,6 +10,7 @@
 //
 // docs/formats.md describes both.
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -21,6 +22,7 @@
 #include "traj/mission/formats/flier.h"
 #include "traj/proof/limits.h"
 #include "traj/submit/risk_rules.h"
+#include "traj/together/check_together.h"
 
 namespace traj {
 
@@ -34,6 +36,7 @@ struct SubmissionMethod {
   RiskRules risk;
   double floor = 0;                       // m in the map's z: no ground is lower
   std::string autopilot = "any";          // whose returns the off-nominal volumes hold
+  std::optional<std::string> params;      // the operator's name of autopilot.params
   std::optional<double> return_height;    // m above home; else the autopilot's own
   std::optional<Uncertainty> navigation;  // how wrong it may be about its place
   std::optional<double> drag;             // 1/s; else the usual one
@@ -43,6 +46,19 @@ struct SubmissionMethod {
   std::optional<double> endurance;        // s, as the operator says
   std::optional<std::string> begins;      // of missions, which have no times: the first instant
   std::optional<std::string> ends;        // and the last
+  std::optional<TogetherRule> together;   // by which trajectories are compared; exact
+};
+
+// How many pairs that come too near a folder names.
+inline constexpr std::size_t kMostNamedPairs = 20;
+
+// What came out where trajectories were compared with one another.
+struct FlightPairs {
+  std::size_t compared = 0;
+  std::size_t refused = 0;                        // come too near
+  std::vector<std::array<std::string, 2>> named;  // ids of the first of these
+
+  friend bool operator==(const FlightPairs&, const FlightPairs&) = default;
 };
 
 // A file that a claim rests on and that is not in the folder.
@@ -64,6 +80,7 @@ struct Submission {
   std::optional<SourceFile> population;  // of which population.csv is a part
   std::vector<SourceFile> zones;         // closed in the map: zones_of() its history
   std::size_t flights = 0;
+  std::optional<FlightPairs> pairs;  // where the method asks for it
 };
 
 std::string to_json_line(const Submission& submission);  // ends with a newline

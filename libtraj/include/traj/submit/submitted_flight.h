@@ -18,6 +18,7 @@
 #include <string_view>
 
 #include "geom/collision/collision.h"
+#include "traj/check/flight_set.h"
 #include "traj/home/flight_return.h"
 #include "traj/mission/airspace/held.h"
 #include "traj/mission/read_mission.h"
@@ -83,6 +84,11 @@ class SubmittedTrajectory : public SubmittedFlight {
 
   // A line that anyone can follow (docs/certificates.md). Only of a flight without a refusal.
   std::string certificate() const;
+
+  // As FlightSet::add(), with the room that it was checked for.
+  void add_to(FlightSet& flights, std::string_view source, std::size_t line) const {
+    flights.add(record_, room_of(scene_, record_), source, line);
+  }
 
  private:
   std::optional<std::string> why_no_times() const override;

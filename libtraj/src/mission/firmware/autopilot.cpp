@@ -85,6 +85,8 @@ Autopilot ardupilot(std::string_view version) {
   out.overshoot = 0.1;
   out.from_stop = out.from_corner = {15, 2.5};
   out.fall = 10;
+  out.terrain_spacing = 100;
+  out.terrain_lag = 10;
   set_drag(out, kUsualDrag);
   return out;
 }

@@ -275,6 +275,32 @@ void take_fence(const AutopilotSettings& settings, Autopilot& out) {
   out.return_ceiling = std::max(0.0, value("FENCE_ALT_MAX", 100) - value("FENCE_MARGIN", 2));
 }
 
+// How it follows terrain (AC_WPNav::get_terrain_offset): a rangefinder goes before its own terrain.
+void take_terrain(const AutopilotSettings& settings, std::string_view source, Autopilot& out) {
+  const auto value = [&](const char* name, double usual, double least, double most) {
+    const auto found = settings.values.find(name);
+    if (found == settings.values.end()) return usual;
+    if (found->second >= least && found->second <= most) return found->second;
+    refuse(source, {.key = name,
+                    .expected = fmt::format("from {:g} to {:g}", least, most),
+                    .found = fmt::format("{:g}", found->second)});
+  };
+  out.terrain_spacing = value("TERRAIN_SPACING", out.terrain_spacing, 1, 10000);
+  for (const char* name : {"WPNAV_TER_MARGIN", "WP_TER_MARGIN", "WP_TER_MARGIN_M"}) {
+    out.terrain_lag = value(name, out.terrain_lag, 0.1, 100);
+  }
+  double uses_rangefinder = 1;
+  for (const char* name : {"WPNAV_RFND_USE", "WP_RFND_USE"}) {
+    uses_rangefinder = value(name, uses_rangefinder, 0, 1);
+  }
+  const bool has_rangefinder =
+      std::any_of(settings.values.begin(), settings.values.end(), [](const auto& one) {
+        return one.first.starts_with("RNGFND") && one.first.ends_with("_TYPE") && one.second != 0;
+      });
+  out.follows_terrain =
+      value("TERRAIN_ENABLE", 1, 0, 1) != 0 && !(has_rangefinder && uses_rangefinder != 0);
+}
+
 // The autopilot of that firmware: the one asked for, or of the file's version.
 Autopilot pilot_of(Firmware firmware, const AutopilotSettings& settings,
                    const std::vector<Autopilot>& asked, std::string_view source) {
@@ -353,6 +379,7 @@ SetAutopilot set_autopilot(const AutopilotSettings& settings, const std::vector<
     take_all(settings, kArdupilotAlways, source, out);
     take_home_as_rally(settings, out);
     take_fence(settings, out.autopilot);
+    take_terrain(settings, source, out.autopilot);
   }
   take_unknown_ways(settings, out.autopilot);
   take_overrides(settings, out.autopilot);

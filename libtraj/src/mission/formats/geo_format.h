@@ -10,14 +10,15 @@
 
 namespace traj {
 
-// The lines over the map; `geoid` metres are added to their heights. Throws geom::InputError for
-// heights where the map's is not known, and for places that are not near the origin.
-ReadFlights fly_lines(const std::vector<GeoPoints>& lines, const MissionFrame& over, double geoid,
+// What heights of a format count from.
+enum class LineHeights { above_sea, above_ellipsoid };
+
+// The lines over the map. Throws geom::InputError for heights where the map's is not known, and for
+// places that are not near the origin.
+ReadFlights fly_lines(const std::vector<GeoPoints>& lines, LineHeights heights,
                       const ReadTask& task);
 
-// `below`: metres that are taken from the heights.
-WrittenMission write_line(const MissionTask& task, const geom::Polyline& legs,
-                          const MissionFrame& over, double below,
+WrittenMission write_line(const MissionTask& task, const geom::Polyline& legs, LineHeights heights,
                           void (*write)(std::ostream& out, const GeoLine& line));
 
 }  // namespace traj

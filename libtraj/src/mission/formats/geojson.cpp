@@ -15,12 +15,11 @@ bool begins(std::string_view text) {
 }
 
 ReadFlights read(std::istream& in, const ReadTask& task) {
-  const std::vector<GeoPoints> lines = read_geojson(in, task.source);
-  return fly_lines(lines, task.how.placement.mission_frame(task.frame), 0, task);
+  return fly_lines(read_geojson(in, task.source), LineHeights::above_ellipsoid, task);
 }
 
 WrittenMission write(const MissionTask& task, const geom::Polyline& legs) {
-  return write_line(task, legs, task.options.placement.mission_frame(task.frame), 0, write_geojson);
+  return write_line(task, legs, LineHeights::above_ellipsoid, write_geojson);
 }
 
 }  // namespace

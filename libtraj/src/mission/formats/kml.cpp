@@ -10,14 +10,11 @@ constexpr std::string_view kReaders[] = {"skyway-check", "skyway-import-trajecto
                                          "skyway-footprints"};
 
 ReadFlights read(std::istream& in, const ReadTask& task) {
-  const std::vector<GeoPoints> lines = read_kml(in, task.source);
-  const MissionFrame over = task.how.placement.mission_frame(task.frame);
-  return fly_lines(lines, over, over.geoid, task);
+  return fly_lines(read_kml(in, task.source), LineHeights::above_sea, task);
 }
 
 WrittenMission write(const MissionTask& task, const geom::Polyline& legs) {
-  const MissionFrame over = task.options.placement.mission_frame(task.frame);
-  return write_line(task, legs, over, over.geoid, write_kml);
+  return write_line(task, legs, LineHeights::above_sea, write_kml);
 }
 
 }  // namespace
@@ -33,10 +30,10 @@ constinit const MissionFormat kKml{
         },
     .read = read,
     .write = write,
-    .reads_with = {FileOption::origin, FileOption::geoid, FileOption::navigation,
-                   FileOption::tracking},
+    .reads_with = {FileOption::origin, FileOption::geoid, FileOption::geoid_grid,
+                   FileOption::navigation, FileOption::tracking},
     .writes_with = {FileOption::tolerance, FileOption::origin, FileOption::geoid,
-                    FileOption::navigation, FileOption::tracking},
+                    FileOption::geoid_grid, FileOption::navigation, FileOption::tracking},
     .has_legs = true,
     .heights = FileHeights::absolute};
 

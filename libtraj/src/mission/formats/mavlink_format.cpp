@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "geom/map/geographic_frame.h"
@@ -12,6 +13,32 @@
 namespace traj {
 namespace {
 
+std::string terrain_note(const TerrainClaim& terrain) {
+  return fmt::format(
+      "heights above terrain count from home and from the autopilot's own terrain: what was looked "
+      "at is a band of up to {:.1f} m, for terrain that is within {:g} m of the ground at posts "
+      "{:g} "
+      "m apart, a vehicle that is up to {:g} m behind it, and no rangefinder",
+      terrain.band, terrain.error, terrain.spacing, terrain.lag);
+}
+
+// What the sea level is on the way, where a grid says it.
+std::string sea_note(const FlownMavlink& read, const MissionFrame& over) {
+  const geom::GeographicFrame earth(over.origin);
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  for (const Vec3& p : read.path) {
+    const geom::GeodeticPlace place = earth.place(p);
+    const double sea = over.sea_level(place.latitude, place.longitude);
+    least = std::min(least, sea);
+    most = std::max(most, sea);
+  }
+  return fmt::format(
+      "heights above the sea: the sea level is {:.2f} to {:.2f} m above the ellipsoid on the way, "
+      "give or take {:.2f} m, which was looked at",
+      least, most, over.sea_error());
+}
+
 // What its user should know of a mission.
 std::vector<std::string> notes_of(const FlownMavlink& read) {
   std::vector<std::string> notes;
@@ -19,7 +46,12 @@ std::vector<std::string> notes_of(const FlownMavlink& read) {
     notes.emplace_back(
         "the mission has no take-off: how the vehicle comes to its first point is not looked at");
   }
-  if (read.returns) {
+  if (read.terrain) notes.push_back(terrain_note(*read.terrain));
+  if (read.returns && read.terrain) {
+    notes.emplace_back(
+        "the return to home is left out: over terrain nobody knows how high it begins; end the "
+        "mission with a waypoint above home and a landing (21)");
+  } else if (read.returns) {
     notes.emplace_back(
         "the return to home is left out: its height is a setting of the vehicle, which "
         "--return-height gives, or it may go to the mission's own landing");
@@ -36,7 +68,10 @@ std::vector<std::string> notes_of(const FlownMavlink& read) {
         geom::counted(read.tight_radii, "item has", "items have"), kLeastLineRadius,
         kLeastLineRadius));
   }
-  if (read.not_for_px4 > 0) {
+  if (read.above_terrain) {
+    notes.emplace_back(
+        "PX4 loads no mission with heights above terrain: it was looked at as ArduPilot flies it");
+  } else if (read.not_for_px4 > 0) {
     notes.push_back(
         read.not_for_px4 == kTakeoff
             ? "the take-off is at latitude 0, longitude 0, where PX4 would fly to: the mission was "
@@ -85,9 +120,10 @@ double slowing_way(const MissionTask& task, double speed) {
 ReadFlights fly_mission(const Mission& mission, const ReadTask& task) {
   MissionRules rules = task.how.flier.rules(task.how.rules);
   rules.home = task.how.placement.ground;
-  FlownMavlink flown =
-      flown_mission(mission, task.how.placement.mission_frame(task.frame), rules, task.source);
+  const MissionFrame over = task.how.placement.mission_frame(task.frame);
+  FlownMavlink flown = flown_mission(mission, over, rules, task.source);
   std::vector<std::string> notes = notes_of(flown);
+  if (flown.counts_from_sea && over.geoid_grid) notes.push_back(sea_note(flown, over));
   notes.insert(notes.begin(), mission.notes.begin(), mission.notes.end());
   return {{{FlownMission(std::move(flown))}}, std::move(notes)};
 }

@@ -11,16 +11,18 @@ namespace traj {
 
 // What may be said beside them.
 inline constexpr FileOptionSet kMavlinkReading{
-    FileOption::origin,  FileOption::geoid,      FileOption::ground,    FileOption::return_height,
-    FileOption::terrain, FileOption::acceptance, FileOption::braking,   FileOption::autopilot,
-    FileOption::params,  FileOption::drag,       FileOption::navigation};
+    FileOption::origin,        FileOption::geoid,      FileOption::ground,
+    FileOption::return_height, FileOption::terrain,    FileOption::acceptance,
+    FileOption::braking,       FileOption::autopilot,  FileOption::params,
+    FileOption::drag,          FileOption::navigation, FileOption::ground_model,
+    FileOption::terrain_error, FileOption::geoid_grid};
 inline constexpr FileOptionSet kMavlinkWriting{
     FileOption::tolerance,  FileOption::speed,         FileOption::hover,
     FileOption::ground,     FileOption::origin,        FileOption::geoid,
     FileOption::autopilot,  FileOption::params,        FileOption::drag,
     FileOption::navigation, FileOption::return_height, FileOption::rally,
     FileOption::fence,      FileOption::fence_budget,  FileOption::params_out,
-    FileOption::procedure};
+    FileOption::procedure,  FileOption::geoid_grid};
 
 inline constexpr double kMissionRounding = 0.03;  // m: MissionFormat::rounding
 

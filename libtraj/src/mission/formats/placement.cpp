@@ -20,13 +20,13 @@ MissionFrame Placement::mission_frame(const geom::Frame& frame) const {
                       "that place",
                       frame.crs.substr(0, 60)));
     }
-    return {*origin, geoid, true};
+    return {*origin, geoid, true, geoid_grid};
   }
   if (!geom::counts_from_origin(frame)) {
     throw geom::UsageError(
         "the map has no origin on Earth: give --origin latitude,longitude,height");
   }
-  return {*frame.origin, geoid, geom::knows_height(frame)};
+  return {*frame.origin, geoid, geom::knows_height(frame), geoid_grid};
 }
 
 void require_near_origin(const geom::Polyline& enu, const geom::GeodeticOrigin& origin,

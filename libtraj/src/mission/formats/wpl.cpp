@@ -168,6 +168,7 @@ class WplReader {
       take_home(item);
     } else if (item.command == kRallyPoint) {
       beside_ = true;
+      require_above_home(item);
       mission_.rally.push_back({item.latitude, item.longitude, item.altitude});
     } else if (take_fence(item)) {
       beside_ = true;
@@ -176,6 +177,13 @@ class WplReader {
       skips_ = skips_ || beside_;
       mission_.items.push_back(item);
     }
+  }
+
+  void require_above_home(const MissionItem& rally) const {
+    if (rally.frame == kGlobalRelative || rally.frame == kGlobalRelativeInt) return;
+    refuse({.key = "frame",
+            .expected = "3 or 6 for a rally point, whose height counts from home",
+            .found = fmt::to_string(rally.frame)});
   }
 
   // A file that was saved without a vehicle has zeros there.

@@ -28,8 +28,11 @@ void check_legs(const geom::Polyline& way, const FlownLegs& flown, const Limits&
   for (std::size_t i = 1; i < way.size(); ++i) {
     const Vec3 leg = way[i] - way[i - 1];
     if (leg.isZero(0)) continue;
-    const double speed = speed_along(flown, leg);
-    const Vec3 v = leg * (speed / leg.norm());
+    const double along = speed_along(flown, leg);
+    Vec3 v = leg * (along / leg.norm());
+    // Over terrain it may rise or sink as fast again to follow that.
+    if (!flown.leg_band.empty()) v.z() = std::abs(v.z()) + std::max(flown.climb, flown.descent);
+    const double speed = flown.leg_band.empty() ? along : v.norm();
     const auto index = static_cast<double>(i - 1);
     const auto hold = [&](Limit limit, double value) {
       std::optional<Extreme>& extreme = result.largest[limit];
@@ -67,9 +70,12 @@ void check_envelope(const FlownLegs& flown, CheckResult& result) {
 // Of each leg of the whole way. Where a vehicle stands is known, so its height above that is not
 // blurred by the rounding of others.
 std::vector<Vec3> strays(const FlownLegs& flown, std::size_t points) {
-  if (flown.path_stray.isZero(0)) return {};
+  if (flown.path_stray.isZero(0) && flown.leg_band.empty()) return {};
   std::vector<Vec3> stray(std::max<std::size_t>(points - 1, 1), flown.path_stray);
   const std::size_t ascent = flown.ends.takeoff_from ? 1 : 0;
+  for (std::size_t i = 0; i < flown.leg_band.size(); ++i) {
+    stray[i + ascent].z() += flown.leg_band[i];
+  }
   if (ascent) stray.front().z() = 0;
   if (flown.path.size() + ascent < points) stray.back().z() = 0;
   return stray;

@@ -34,12 +34,13 @@ class MissionMaker {
  public:
   MissionMaker(std::span<const Vec3> points, const MissionFrame& frame,
                const MissionOptions& options)
-      : points_(points), options_(options), earth_(frame.origin) {}
+      : points_(points), frame_(frame), options_(options), earth_(frame.origin) {}
 
-  Mission make(double sea_level) {
+  Mission make() {
     const MissionItem takeoff = at(kTakeoff, points_.front());
+    const double sea = frame_.sea_level(takeoff.latitude, takeoff.longitude);
     mission_.home = {takeoff.latitude, takeoff.longitude,
-                     to_millimetres(sea_level + options_.home)};
+                     to_millimetres(frame_.origin.height - sea + options_.home)};
     mission_.items.push_back(takeoff);
     if (options_.speed) fly_with(*options_.speed);
     for (point_ = 0; point_ < points_.size(); ++point_) go();
@@ -89,6 +90,7 @@ class MissionMaker {
   }
 
   std::span<const Vec3> points_;
+  const MissionFrame& frame_;
   const MissionOptions& options_;
   geom::GeographicFrame earth_;
   std::size_t point_ = 0;
@@ -104,7 +106,7 @@ bool moves_nothing(int command) {
 
 Mission make_mission(std::span<const Vec3> points, const MissionFrame& frame,
                      const MissionOptions& options) {
-  return MissionMaker(points, frame, options).make(frame.origin.height - frame.geoid);
+  return MissionMaker(points, frame, options).make();
 }
 
 }  // namespace traj

@@ -12,8 +12,8 @@
 namespace traj {
 namespace {
 
-// MavlinkMissionManager::parse_mavlink_mission_item answers these with MAV_MISSION_UNSUPPORTED,
-// which ends the transfer.
+// MavlinkMissionManager::parse_mavlink_mission_item answers these with MAV_MISSION_UNSUPPORTED, and
+// heights above terrain with MAV_MISSION_UNSUPPORTED_FRAME, which ends the transfer.
 constexpr int kNotForPx4[] = {kLoiterTurns, kSplineWaypoint, kPayloadPlace, kAuxFunction};
 
 // Mission::handleTakeoff of PX4 climbs on the spot and then goes to the item's place, be it 0, 0.
@@ -24,11 +24,16 @@ bool leads_away(const MissionItem& item) {
 }
 
 bool is_not_for_px4(const MissionItem& item) {
-  return leads_away(item) || std::find(std::begin(kNotForPx4), std::end(kNotForPx4),
-                                       item.command) != std::end(kNotForPx4);
+  if (leads_away(item) || counts_from_terrain(item)) return true;
+  return std::find(std::begin(kNotForPx4), std::end(kNotForPx4), item.command) !=
+         std::end(kNotForPx4);
 }
 
 }  // namespace
+
+bool counts_from_terrain(const MissionItem& item) {
+  return item.frame == kGlobalTerrain || item.frame == kGlobalTerrainInt;
+}
 
 const MissionItem* not_for_px4(const Mission& mission) {
   const auto found = std::find_if(mission.items.begin(), mission.items.end(), is_not_for_px4);
@@ -51,7 +56,8 @@ std::vector<Autopilot> autopilots_that_load(const Mission& mission, const Missio
   refuse_item(
       source, *item,
       {.expected = "what PX4 flies",
-       .found = fmt::format("command {}", item->command),
+       .found = counts_from_terrain(*item) ? "a height above terrain"
+                                           : fmt::format("command {}", item->command),
        .advice =
            "PX4 loads no mission with it, and no other autopilot is asked for (--autopilot)"});
 }

@@ -10,9 +10,11 @@
 namespace traj {
 
 // The first item that PX4 does not fly as ArduPilot does: turns on a circle, splines, payload
-// places and auxiliary functions, with which PX4 loads no mission, and a take-off at latitude 0,
-// longitude 0, to which PX4 flies. Null: there is none.
+// places, auxiliary functions and heights above terrain, with which PX4 loads no mission, and a
+// take-off at latitude 0, longitude 0, to which PX4 flies. Null: there is none.
 const MissionItem* not_for_px4(const Mission& mission);
+
+bool counts_from_terrain(const MissionItem& item);
 
 // Those of the rules' autopilots that fly the mission as it is read here. Throws
 // geom::InputError(source, line, …) where that is none of them.

@@ -13,6 +13,7 @@
 #include "mission_jumps.h"
 #include "mission_places.h"
 #include "mission_track.h"
+#include "terrain_lift.h"
 
 namespace traj {
 namespace {
@@ -37,11 +38,15 @@ class Flight {
         frame_(frame),
         rules_(rules),
         places_(mission, frame, rules, source),
-        source_(source) {}
+        source_(source),
+        over_terrain_(counts_from_terrain(mission, rules, source)) {}
 
   FlownMavlink fly() {
     order_ = flown_order(mission_, source_, flown_.endless_jumps);
-    if (const MissionItem* item = not_for_px4(mission_)) flown_.not_for_px4 = item->command;
+    if (const MissionItem* item = not_for_px4(mission_)) {
+      flown_.not_for_px4 = item->command;
+      flown_.above_terrain = counts_from_terrain(*item);
+    }
     for (next_ = 0; next_ < order_.size();) {
       item_ = &mission_.items[order_[next_++]];
       take(*item_);
@@ -50,9 +55,12 @@ class Flight {
       throw geom::InputError(source_, {.expected = "at least one waypoint", .found = "none"});
     }
     flown_.path_stray = kMissionStray;
+    flown_.counts_from_sea = places_.counts_from_sea();
+    if (flown_.counts_from_sea) flown_.path_stray.z() += frame_.sea_error();
     say_home();
     finish_track();
     add_fences();
+    if (over_terrain_) return raised_over_terrain(std::move(flown_), rules_, source_);
     return std::move(flown_);
   }
 
@@ -351,7 +359,7 @@ class Flight {
                     [](const MissionItem& item) { return item.command == kLandingStart; });
     const bool home_alone = std::all_of(rules_.autopilots.begin(), rules_.autopilots.end(),
                                         [](const Autopilot& one) { return one.returns_home; });
-    flown_.returns = !rules_.return_height || lands_elsewhere || !home_alone;
+    flown_.returns = !rules_.return_height || lands_elsewhere || !home_alone || over_terrain_;
     if (flown_.returns || path().empty()) return;
     const Vec3 end = path().back();
     const double ground = places_.above_home(*item_, 0);
@@ -470,6 +478,7 @@ class Flight {
   const MissionRules& rules_;
   MissionPlaces places_;
   std::string source_;
+  bool over_terrain_ = false;
   std::vector<std::size_t> order_;
   std::size_t next_ = 0;  // into the order
   const MissionItem* item_ = nullptr;

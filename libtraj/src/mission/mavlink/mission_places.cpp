@@ -20,8 +20,21 @@ MissionPlaces::MissionPlaces(const Mission& mission, const MissionFrame& frame,
       home_(rules.home),
       source_(source) {
   if (!home_ && mission_.home && frame_.height_known) {
-    home_ = mission_.home->height + frame_.geoid - frame_.origin.height;
+    home_ = above_sea(*mission_.home);
   }
+}
+
+double MissionPlaces::above_sea(const geom::GeodeticPlace& place) const {
+  return place.height + frame_.sea_level(place.latitude, place.longitude) - frame_.origin.height;
+}
+
+bool MissionPlaces::counts_from_sea() const {
+  const bool home = !rules_.home && home_.has_value();
+  return home || std::any_of(mission_.items.begin(), mission_.items.end(), [](const auto& item) {
+           const bool above_sea = item.frame == kGlobal || item.frame == kGlobalInt;
+           return above_sea &&
+                  (item.command == kTakeoff || item.command == kLand || is_there(item));
+         });
 }
 
 double MissionPlaces::above_home(const MissionItem& item, double height) const {
@@ -53,18 +66,20 @@ double MissionPlaces::height(const MissionItem& item) const {
                      .found = "one above the sea, and the map does not say how high its z = 0 is",
                      .advice = "give --origin latitude,longitude,height"});
       }
-      return item.altitude + frame_.geoid - frame_.origin.height;
+      return above_sea({item.latitude, item.longitude, item.altitude});
     case kGlobalRelative:
     case kGlobalRelativeInt:
       return above_home(item, item.altitude);
     case kGlobalTerrain:
     case kGlobalTerrainInt:
       if (rules_.ground) return *rules_.ground + item.altitude;
+      if (rules_.terrain) return above_home(item, item.altitude);  // to be raised (terrain_lift.h)
       refuse_item(source_, item,
                   {.expected = "heights above sea level or home",
                    .found = "one above terrain",
                    .advice = "where the ground is flat, give its height; over other ground an "
-                             "autopilot follows terrain data of its own, which no file shows"});
+                             "autopilot follows terrain data of its own, which no file shows: "
+                             "skyway-check takes a height model for it (--ground-model)"});
     default:
       refuse_item(source_, item,
                   {.key = "frame",

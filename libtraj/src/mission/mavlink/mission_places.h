@@ -20,6 +20,8 @@ class MissionPlaces {
   std::optional<double> home() const { return home_; }  // its z
   double above_home(const MissionItem& item, double height) const;
   double height(const MissionItem& item) const;  // its z
+  // Whether a height of it is above the sea, so that it depends on where the sea level is.
+  bool counts_from_sea() const;
 
   // Whether its place is 0, 0 or null: where the vehicle is. An altitude of 0 likewise. Both as
   // autopilots keep them: whole 1e-7 degrees and centimetres, cut.
@@ -31,6 +33,7 @@ class MissionPlaces {
   Vec3 on_map(const MissionItem& item, const geom::GeodeticPlace& at, double z) const;
 
  private:
+  double above_sea(const geom::GeodeticPlace& place) const;  // its z
   double height_or(const MissionItem& item, const std::optional<Vec3>& here) const;
 
   const Mission& mission_;

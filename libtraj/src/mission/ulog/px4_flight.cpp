@@ -67,7 +67,7 @@ class Placing {
   // East, north, up of a point near a reference, by its local coordinates.
   Vec3 at(const GeodeticPlace& reference, const Vec3& ned) const {
     GeodeticPlace place = px4_place(reference, ned.x(), ned.y());
-    place.height += frame_.geoid - ned.z();
+    place.height += frame_.sea_level(place.latitude, place.longitude) - ned.z();
     return earth_.enu(place);
   }
 

@@ -20,16 +20,40 @@ Whole common_factor(std::size_t degree) {
   return out;
 }
 
+// A common power of 2 of the coefficients; 0 where all of them are 0.
+mp_bitcnt_t zeros_of(const Polynomial& p) {
+  mp_bitcnt_t zeros = std::numeric_limits<mp_bitcnt_t>::max();
+  for (const Whole& c : p) {
+    if (c != 0) zeros = std::min(zeros, mpz_scan1(c.get_mpz_t(), 0));
+  }
+  return zeros == std::numeric_limits<mp_bitcnt_t>::max() ? 0 : zeros;
+}
+
+// Each coefficient times its binomial, without their common power of 2: in the unit 2^-1074 that is
+// all but some fifty of its bits.
+Polynomial weighted(const Polynomial& p, mp_bitcnt_t zeros) {
+  Polynomial out;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    out.push_back(choose(p.size() - 1, i) * Whole(p[i] >> zeros));
+  }
+  return out;
+}
+
 // common_factor(the degree of the product) times the product.
 Polynomial product(const Polynomial& a, const Polynomial& b) {
-  const std::size_t n = a.size() - 1;
-  const std::size_t m = b.size() - 1;
-  const Whole factor = common_factor(n + m);
-  Polynomial out(n + m + 1);
-  for (std::size_t i = 0; i <= n; ++i) {
-    for (std::size_t j = 0; j <= m; ++j) {
-      out[i + j] += choose(n, i) * choose(m, j) * a[i] * b[j] * (factor / choose(n + m, i + j));
-    }
+  const std::size_t degree = a.size() + b.size() - 2;
+  const mp_bitcnt_t of_a = zeros_of(a);
+  const mp_bitcnt_t of_b = zeros_of(b);
+  const Polynomial left = weighted(a, of_a);
+  const Polynomial right = weighted(b, of_b);
+  Polynomial out(degree + 1);
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    for (std::size_t j = 0; j < right.size(); ++j) out[i + j] += left[i] * right[j];
+  }
+  const Whole factor = common_factor(degree);
+  for (std::size_t k = 0; k <= degree; ++k) {
+    out[k] *= factor / choose(degree, k);
+    out[k] <<= of_a + of_b;
   }
   return out;
 }
@@ -48,35 +72,14 @@ Polynomial squared_norm(std::span<const Polynomial> axes) {
 
 // The same sign with fewer digits.
 void drop_zeros(Polynomial& p) {
-  mp_bitcnt_t zeros = std::numeric_limits<mp_bitcnt_t>::max();
-  for (const Whole& c : p) {
-    if (c != 0) zeros = std::min(zeros, mpz_scan1(c.get_mpz_t(), 0));
-  }
-  for (Whole& c : p) {
-    if (c != 0) c >>= zeros;
-  }
+  const mp_bitcnt_t zeros = zeros_of(p);
+  for (Whole& c : p) c >>= zeros;
 }
 
 Whole power(const Whole& base, int exponent) {
   Whole out = 1;
   for (int i = 0; i < exponent; ++i) out *= base;
   return out;
-}
-
-// A fraction <= tan(angle) within 2^-60 of it, by 2^64: the Taylor sums of sine up to the power 39
-// (the last term negative) over cosine up to 40 (the last positive), rounded down.
-Whole tangent_below(double angle) {
-  const mpq_class x(angle);
-  mpq_class term = 1;
-  mpq_class sine = 0;
-  mpq_class cosine = 0;
-  for (int k = 0; k <= 40; ++k) {
-    if (k) term *= x / k;
-    const mpq_class signed_term = k % 4 < 2 ? term : mpq_class(-term);
-    (k % 2 ? sine : cosine) += signed_term;
-  }
-  const mpq_class scaled = sine / cosine * mpq_class(Whole(1) << 64);
-  return scaled.get_num() / scaled.get_den();
 }
 
 // limit^2 - |derivative|^2 times duration^(2 order), in 2^-1074 to the power of 2 order + 2.
@@ -101,6 +104,22 @@ Polynomial thrust_height(const Segment& s) {
 }
 
 }  // namespace
+
+// The Taylor sums of sine up to the power 39 (the last term negative) over cosine up to 40 (the
+// last positive), rounded down.
+Whole tangent_below(double angle) {
+  const mpq_class x(angle);
+  mpq_class term = 1;
+  mpq_class sine = 0;
+  mpq_class cosine = 0;
+  for (int k = 0; k <= 40; ++k) {
+    if (k) term *= x / k;
+    const mpq_class signed_term = k % 4 < 2 ? term : mpq_class(-term);
+    (k % 2 ? sine : cosine) += signed_term;
+  }
+  const mpq_class scaled = sine / cosine * mpq_class(Whole(1) << 64);
+  return scaled.get_num() / scaled.get_den();
+}
 
 std::pair<Conditions, Conditions> halves(const Conditions& conditions) {
   std::pair<Conditions, Conditions> out;
@@ -139,10 +158,9 @@ Conditions norm_condition(const Segment& s, int order, double limit, std::span<c
   return {{q}};
 }
 
-Conditions tilt_condition(const Segment& s, double limit) {
+Conditions tilt_condition(const Segment& s, const Whole& tangent) {
   Polynomial height = thrust_height(s);
   Polynomial cone = squared(height);
-  const Whole tangent = tangent_below(limit);
   for (Whole& c : cone) c *= tangent * tangent;
   for (int axis = 0; axis < 2; ++axis) {
     const Polynomial square = squared(derivative(s, axis, 2));

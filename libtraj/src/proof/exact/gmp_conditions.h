@@ -26,9 +26,12 @@ Polynomial derivative(const Segment& s, int axis, int order);
 // limit^2 - |derivative along these axes|^2, times a positive number.
 Conditions norm_condition(const Segment& s, int order, double limit, std::span<const int> axes);
 
+// A fraction <= tan(angle) within 2^-60 of it, by 2^64. The angle is from 0 to below pi/2.
+Whole tangent_below(double angle);
+
 // The thrust a + g within a cone around up: its height z >= 0 and (z tan)^2 - x^2 - y^2 >= 0, each
-// times a positive number. The limit is below pi/2.
-Conditions tilt_condition(const Segment& s, double limit);
+// times a positive number. `tangent`: tangent_below() the limit.
+Conditions tilt_condition(const Segment& s, const Whole& tangent);
 
 // limit^2 - |a + g|^2, times a positive number.
 Conditions thrust_condition(const Segment& s, double limit);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "boxes_near.h"
 #include "gmp_conditions.h"
 #include "gmp_judge.h"
 #include "traj/proof/check.h"
@@ -51,14 +52,20 @@ std::optional<Stop> fill(const Piece& piece, const Part& part, Judge& judge, Cov
   return fill(right, Part{depth + 1, begin + length / 2}, judge, cover);
 }
 
+// n times 2^-1074, canonical: without the common power of 2 nothing is left to divide by.
+mpq_class in_units(const Whole& n) {
+  if (n == 0) return 0;
+  const mp_bitcnt_t zeros = std::min<mp_bitcnt_t>(mpz_scan1(n.get_mpz_t(), 0), exact::kUnit);
+  return {Whole(n >> zeros), Whole(1) << (exact::kUnit - zeros)};
+}
+
 // A derivative at the end or the beginning of a segment, in SI units.
 std::array<mpq_class, 3> derivative_at(const Segment& s, int order, bool end) {
   std::array<mpq_class, 3> out;
   const mpq_class duration(s.duration);
   for (int axis = 0; axis < 3; ++axis) {
     const Polynomial q = exact::derivative(s, axis, order);
-    out[axis] = mpq_class(end ? q.back() : q.front(), Whole(1) << exact::kUnit);
-    out[axis].canonicalize();
+    out[axis] = in_units(end ? q.back() : q.front());
     for (int r = 0; r < order; ++r) out[axis] /= duration;
   }
   return out;
@@ -81,7 +88,7 @@ Conditions condition(const Segment& s, Limit limit, double most) {
     case Limit::jerk:
       return exact::norm_condition(s, 3, most, kAll);
     case Limit::tilt:
-      return exact::tilt_condition(s, most);
+      return exact::tilt_condition(s, exact::tangent_below(most));
     case Limit::thrust:
       return exact::thrust_condition(s, most);
     case Limit::body_rate:
@@ -131,24 +138,29 @@ class Proof {
       return true;
     };
     const Limits& limits = task_.limits;
+    const Whole tangent = limits[Limit::tilt] ? exact::tangent_below(*limits[Limit::tilt]) : 0;
     const auto holds = [&](Limit limit) {
       return !limits[limit] || each([&](const Segment& s, Timing timing, SegmentProof& proof) {
         if (limit == Limit::yaw_rate && !s.yaw) return true;
-        return within(s, condition(s, limit, *limits[limit]), timing, broken(limit),
-                      proof.limits[limit]);
+        const Conditions conditions = limit == Limit::tilt ? exact::tilt_condition(s, tangent)
+                                                           : condition(s, limit, *limits[limit]);
+        return within(s, conditions, timing, broken(limit), proof.limits[limit]);
       });
     };
     const auto yaw_is_whole = [&] {
       const auto gap = limits[Limit::yaw_rate] ? gap_in_yaw(trajectory) : std::nullopt;
       return !gap || refuse(unmeasured(Limit::yaw_rate), 0, segments[*gap].point.front());
     };
-    result_.ok = each([&](const Segment& s, Timing timing, SegmentProof& proof) {
-                   return inside(s.point, timing, proof.bounds);
-                 }) &&
-                 each([&](const Segment& s, Timing timing, SegmentProof& proof) {
-                   return clear(s.point, timing, proof.clear);
-                 }) &&
-                 gaps(trajectory) && stands(trajectory) &&
+    const auto is_inside = [&](const Segment& s, Timing timing, SegmentProof& proof) {
+      return inside(s.point, timing, proof.bounds);
+    };
+    const auto is_clear = [&](const Segment& s, Timing timing, SegmentProof& proof) {
+      const auto segment = static_cast<std::size_t>(&s - segments.data());
+      return clear(2 * segment, s.point, timing, proof.clear);
+    };
+    if (!each(is_inside)) return result_;
+    look_around(trajectory);
+    result_.ok = each(is_clear) && gaps(trajectory) && stands(trajectory) &&
                  std::all_of(kOrderOfLimits.begin(), kOrderOfLimits.end(), holds) && yaw_is_whole();
     return result_;
   }
@@ -172,9 +184,12 @@ class Proof {
       const Timing timing{.begin = static_cast<double>(i), .duration = 1};
       if (!inside(leg(i), timing, result_.segments[i].bounds)) return result_;
     }
+    std::vector<geom::Aabb> curves;
+    for (std::size_t i = 0; i < legs; ++i) curves.push_back(around(leg(i)));
+    look_around(curves);
     for (std::size_t i = 0; i < legs; ++i) {
       const Timing timing{.begin = static_cast<double>(i), .duration = 1};
-      if (!clear(leg(i), timing, result_.segments[i].clear)) return result_;
+      if (!clear(i, leg(i), timing, result_.segments[i].clear)) return result_;
     }
     result_.ok = true;
     return result_;
@@ -287,26 +302,26 @@ class Proof {
            abs(rate_step) <= mpq_class(1e-6) * more;
   }
 
-  // The boxes that may meet the bounding box of the points. In doubles, with room for rounding:
-  // coordinates are within 1e8 m (geom::kLargestCoordinate), where doubles are 1.5e-8 m apart.
-  std::vector<Box> boxes_around(std::span<const Vec3> points) const {
-    Vec3 low = points[0];
-    Vec3 high = points[0];
-    for (const Vec3& p : points) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
+  // The boxes that may meet the bounding box of each of the curves, in their order. In doubles,
+  // with room for rounding: coordinates are within 1e8 m (geom::kLargestCoordinate), where doubles
+  // are 1.5e-8 m apart.
+  void look_around(std::span<const geom::Aabb> curves) {
     const Vec3 reach = task_.vehicle.half.array() + (task_.margin + 1e-6);
-    std::vector<Box> out;
-    const auto boxes = task_.map.boxes();
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      const auto& box = boxes[i];
-      const bool beyond = ((box.min - reach).array() > high.array()).any();
-      const bool before = ((box.max + reach).array() < low.array()).any();
-      if (beyond || before) continue;
-      out.push_back(grown(i));
+    near_ = exact::boxes_near(task_.map.boxes(), reach, curves);
+  }
+
+  static geom::Aabb around(std::span<const Vec3> points) { return *geom::bounds(points); }
+
+  // Of each segment, and of what may lie between it and the next.
+  void look_around(const Trajectory& trajectory) {
+    const auto& segments = trajectory.segments;
+    std::vector<geom::Aabb> curves;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      curves.push_back(around(segments[i].point));
+      if (i + 1 == segments.size()) break;
+      curves.push_back(around(std::array{segments[i].point[kDegree], segments[i + 1].point[0]}));
     }
-    return out;
+    look_around(curves);
   }
 
   Box grown(std::size_t i) const {
@@ -323,8 +338,10 @@ class Proof {
     return out;
   }
 
-  bool clear(std::span<const Vec3> points, Timing timing, ClearCover& cover) {
-    const std::vector<Box> boxes = boxes_around(points);
+  // `curve`: as look_around() counts.
+  bool clear(std::size_t curve, std::span<const Vec3> points, Timing timing, ClearCover& cover) {
+    std::vector<Box> boxes;
+    for (const std::size_t i : near_[curve]) boxes.push_back(grown(i));
     std::vector<const Box*> near;
     for (const Box& box : boxes) near.push_back(&box);
     exact::JudgeClear judge(cover.planes);
@@ -372,7 +389,8 @@ class Proof {
       instant += whole(s.duration);
       const std::array ends{s.point[kDegree], trajectory.segments[i + 1].point[0]};
       if (ends[0] == ends[1]) continue;
-      if (!clear(ends, {t, 0, instant, instant}, result_.segments[i].gap.emplace())) return false;
+      if (!clear(2 * i + 1, ends, {t, 0, instant, instant}, result_.segments[i].gap.emplace()))
+        return false;
     }
     return true;
   }
@@ -394,6 +412,7 @@ class Proof {
   Point grown_by_;
   Box bounds_;
   std::array<mpq_class, 4> worst_;
+  std::vector<std::vector<std::size_t>> near_;  // boxes, of each curve
   ExactResult result_;
 };
 

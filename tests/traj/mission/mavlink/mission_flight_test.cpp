@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <memory>
 
 #include "geom/shape/hull.h"
 #include "support/refusal.h"
@@ -351,8 +352,37 @@ TEST(FlownMission, TakesHeightsAboveFlatTerrain) {
       maker.refusal(),
       "m: item 2: expected heights above sea level or home, found one above terrain: where "
       "the ground is flat, give its height; over other ground an autopilot follows terrain data of "
-      "its own, which no file shows");
+      "its own, which no file shows: skyway-check takes a height model for it (--ground-model)");
   EXPECT_NEAR(maker.fly({.ground = 3}).path.back().z(), 23, 1e-9);
+}
+
+// The sea level falls by 1 m to the east of home.
+TEST(FlownMission, TakesTheSeaLevelAtEachPlace) {
+  MissionFrame frame = kFrame;
+  frame.geoid_grid =
+      std::make_shared<const geom::GeoidGrid>(geom::GeoidGrid{.south = 46,
+                                                              .west = 8,
+                                                              .north_step = 2,
+                                                              .east_step = 0.002,
+                                                              .columns = 2,
+                                                              .rows = 2,
+                                                              .heights = {2, 1, 2, 1},
+                                                              .error = 0.25});
+  Maker maker;
+  maker.add(kWaypoint, {75.9, 0, 30});
+  MissionItem& item = maker.mission().items.back();
+  item.frame = kGlobal;
+  item.altitude = 430;
+  const FlownMavlink flown = maker.fly({}, frame);
+  EXPECT_NEAR(flown.home->z(), 12, 1e-3) << "410 m over a sea that is 2 m above the ellipsoid";
+  EXPECT_NEAR(flown.path.back().z(), 31.5, 1e-3);
+  EXPECT_NEAR(flown.path_stray.z(), kMissionStray.z() + 0.25, 1e-12) << "the grid's error";
+  EXPECT_TRUE(flown.counts_from_sea);
+  EXPECT_NEAR(maker.fly({.home = 10}, frame).path_stray.z(), kMissionStray.z() + 0.25, 1e-12);
+  Maker relative;
+  relative.add(kWaypoint, {75.9, 0, 30});
+  EXPECT_EQ(relative.fly({.home = 10}, frame).path_stray.z(), kMissionStray.z())
+      << "no height of it counts from the sea";
 }
 
 TEST(FlownMission, SaysTheHomeThatItAssumed) {

@@ -65,6 +65,11 @@ struct Autopilot {
   bool rally_adds = false;      // to a rally point it returns so high above that point
   bool returns_home = true;     // false: nobody knows where a return goes (RTL_TYPE, OA_TYPE, ...)
 
+  // Heights above terrain: ArduPilot's alone.
+  double terrain_spacing = 0;   // m between the posts of its terrain: TERRAIN_SPACING
+  double terrain_lag = 0;       // m that it may be behind: WPNAV_TER_MARGIN
+  bool follows_terrain = true;  // false: TERRAIN_ENABLE is 0, or it follows a rangefinder
+
   // Whether an item's own radius counts, or the parameter alone.
   bool heeds_item_radius = false;
   // Whether a turn at a passed waypoint is two overlapping S-curves, or begins within the radius.

@@ -21,6 +21,7 @@
 #include "traj/mission/flown/fence.h"
 #include "traj/mission/flown/sweep.h"
 #include "traj/proof/check.h"
+#include "traj/record/terrain_claim.h"
 
 namespace traj {
 
@@ -40,8 +41,11 @@ struct FlownLegs {
   geom::Polyline path;            // at least one point
   std::vector<double> hold = {};  // s at each point; may be empty
   VerticalEnds ends = {};
-  bool lands_below = false;          // on whatever is below the last point
-  Vec3 path_stray = Vec3::Zero();    // m that the flight may be from the path, along each axis
+  bool lands_below = false;        // on whatever is below the last point
+  Vec3 path_stray = Vec3::Zero();  // m that the flight may be from the path, along each axis
+  // Of each leg of the path, m up and down that the flight may be from it beside that; may be
+  // empty.
+  std::vector<double> leg_band = {};
   std::optional<double> speed = {};  // m/s along the legs
   double climb = 0;                  // m/s at most, whatever that speed is; 0: as it is
   double descent = 0;                // likewise
@@ -66,6 +70,9 @@ struct FlownMission : FlownLegs {
   std::size_t endless_jumps = 0;  // jumps for ever: their loops are looked at flown twice
   std::size_t corners = 0;        // points between two legs without a rest
   double acceptance = 0;          // m around these, the most that was swept
+  // Where its heights count from terrain: all above is a band of heights, and nobody knows when the
+  // vehicle is how high in it. Only the check takes such a mission.
+  std::optional<TerrainClaim> terrain = {};
 };
 
 // How far a vehicle may be from the places that a mission says, along each axis: latitudes and

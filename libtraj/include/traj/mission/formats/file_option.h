@@ -20,9 +20,12 @@ enum class FileOption {
   heading,
   origin,
   geoid,
+  geoid_grid,
   ground,
   return_height,
   terrain,
+  ground_model,
+  terrain_error,
   acceptance,
   braking,
   autopilot,
@@ -55,7 +58,7 @@ enum class FileOption {
   params_out,
   procedure
 };
-inline constexpr std::size_t kFileOptions = 39;
+inline constexpr std::size_t kFileOptions = 42;
 
 // As the tools' options name them, without "--".
 inline constexpr geom::Words<FileOption, kFileOptions> kFileOptionWords{{
@@ -64,9 +67,12 @@ inline constexpr geom::Words<FileOption, kFileOptions> kFileOptionWords{{
     {FileOption::heading, "heading"},
     {FileOption::origin, "origin"},
     {FileOption::geoid, "geoid"},
+    {FileOption::geoid_grid, "geoid-grid"},
     {FileOption::ground, "ground"},
     {FileOption::return_height, "return-height"},
     {FileOption::terrain, "terrain-height"},
+    {FileOption::ground_model, "ground-model"},
+    {FileOption::terrain_error, "terrain-error"},
     {FileOption::acceptance, "acceptance"},
     {FileOption::braking, "braking"},
     {FileOption::autopilot, "autopilot"},

@@ -8,6 +8,7 @@
 //   const traj::MissionFrame frame = placement.mission_frame(map.spec().frame);
 //   assert(frame.origin.height == 400);
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -20,9 +21,11 @@ namespace traj {
 struct Placement {
   std::optional<geom::GeodeticOrigin> origin;  // of the map's (0, 0, 0); default: the map's own
   double geoid = 0;                            // m: sea level above the ellipsoid there
-  std::optional<double> ground;                // m in the map's z, at the take-off
-  double takeoff_height = 1;                   // m above the ground to which a Tello rises
-  std::optional<double> heading;               // of a Tello, degrees clockwise from north
+  // The same place by place; copies share it. Goes before `geoid`.
+  std::shared_ptr<const geom::GeoidGrid> geoid_grid = {};
+  std::optional<double> ground;   // m in the map's z, at the take-off
+  double takeoff_height = 1;      // m above the ground to which a Tello rises
+  std::optional<double> heading;  // of a Tello, degrees clockwise from north
 
   // Its height is known where `origin` gives it, or the frame (geom::knows_height). Throws
   // geom::UsageError where neither this nor the frame knows the origin.

@@ -16,6 +16,7 @@
 #include "traj/mission/firmware/autopilot.h"
 #include "traj/mission/flown/flown.h"
 #include "traj/mission/mavlink/mission.h"
+#include "traj/mission/mavlink/terrain_rules.h"
 
 namespace traj {
 
@@ -27,14 +28,17 @@ struct MissionRules {
   double braking = 3;                   // m/s2
   std::optional<double> return_height;  // m above home at which it returns
   std::optional<double> ground;  // z of the flat ground that heights above terrain count from
+  std::optional<TerrainRules> terrain = {};               // or what is known of other ground
   std::vector<Autopilot> autopilots{px4(), ardupilot()};  // any of which may fly it
 };
 
 // In ENU, and what the mission leaves open, for its user.
 struct FlownMavlink : FlownMission {
-  bool takes_off = false;  // else how it comes to its first point is not known
-  bool ended = false;      // by a landing, a return or loitering; else it may have been cut
-  int not_for_px4 = 0;     // the command of the first item that PX4 does not fly; 0: none
+  bool takes_off = false;        // else how it comes to its first point is not known
+  bool ended = false;            // by a landing, a return or loitering; else it may have been cut
+  int not_for_px4 = 0;           // the command of the first item that PX4 does not fly; 0: none
+  bool above_terrain = false;    // for that item's height
+  bool counts_from_sea = false;  // heights of it depend on where the sea level is
   // m from home to the take-off's place, where those differ: it climbs at home and goes there. Some
   // autopilots take no heed of a take-off's place and go on from above home.
   double takeoff_from_home = 0;
@@ -80,9 +84,14 @@ inline constexpr double kUnsaidSpeed = 10;  // m/s
 // - ArduPilot takes an altitude of 0 for the present one, and latitude 0, longitude 0 for the
 //   present place; PX4 takes both as they stand. So these are refused where both may fly it.
 //
+// - Heights above terrain are ArduPilot's alone, since PX4 loads no mission with them. Without
+//   `ground` the flight is a band of heights over the terrain of `terrain`: home's height, the
+//   heights of the items, and how much higher the autopilot may take the terrain to be than at
+//   home. A return is not known there, and all waypoints must count from the terrain.
+//
 // Throws geom::InputError(source, line, …) for all others (changes of mode, unknown ones), for
-// items after the end of the flight, a second take-off, heights above terrain without `ground`,
-// places that are not near the origin, and a height above home without home.
+// items after the end of the flight, a second take-off, heights above terrain without `ground` and
+// `terrain`, places that are not near the origin, and a height above home without home.
 FlownMavlink flown_mission(const Mission& mission, const MissionFrame& frame,
                            const MissionRules& rules, std::string_view source);
 

@@ -1,0 +1,69 @@
+#include "terrain_difference.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geom/base/error.h"
+#include "geom/base/rounding.h"
+
+namespace traj {
+namespace {
+
+// The grid's metres are those of a sphere, and its rows and columns are not quite along our axes.
+constexpr double kSureReach = 1.03;
+constexpr double kRoom = 1;        // m: places travel rounded, and vehicles stray
+constexpr double kWholeMetre = 1;  // m: posts are whole metres, rounded or cut
+
+}  // namespace
+
+TerrainDifference::TerrainDifference(const TerrainRules& rules, const geom::Vec2& home,
+                                     double spacing, double reach, std::string_view source)
+    : rules_(rules), home_(home), spacing_(spacing), reach_(reach), source_(source) {
+  rules_.error += kWholeMetre;
+  at_home_ = ground({home, home}, spacing_);
+  const geom::GroundRange around = ground({home, home}, 2 * spacing_);
+  slope_ = (around.high - around.low + 2 * rules_.error) / spacing_;
+}
+
+geom::GroundRange TerrainDifference::ground(const geom::Rectangle& region, double around) const {
+  const geom::Vec2 by = geom::Vec2::Constant(around * kSureReach + kRoom);
+  geom::Rectangle at{region.min - by, region.max + by};
+  if (rules_.axes != geom::Axes::enu) {
+    std::swap(at.min.x(), at.min.y());
+    std::swap(at.max.x(), at.max.y());
+  }
+  const geom::GroundRange range = rules_.ground->range(at);
+  if (range.all_known) return range;
+  throw geom::InputError(
+      source_,
+      {.expected = fmt::format("a height model that knows the ground within {:.0f} m of the way, "
+                               "since the autopilot's terrain is interpolated from there",
+                               around * kSureReach + kRoom),
+       .found = fmt::format("a hole, or its end, at x {:.6g} to {:.6g}, y {:.6g} to {:.6g}",
+                            at.min.x(), at.max.x(), at.min.y(), at.max.y()),
+       .advice = "take a larger height model (and map)"});
+}
+
+double TerrainDifference::furthest(const geom::Rectangle& region) const {
+  const geom::Vec2 low = (region.min - home_).cwiseAbs();
+  const geom::Vec2 high = (region.max - home_).cwiseAbs();
+  return low.cwiseMax(high).sum();
+}
+
+TerrainRange TerrainDifference::over(const geom::Rectangle& region) const {
+  const geom::GroundRange here = ground(region, reach_);
+  const double off = geom::add_up(rules_.error, rules_.error);
+  TerrainRange out{geom::add_down(geom::add_down(here.low, -at_home_.high), -off),
+                   geom::add_up(geom::add_up(here.high, -at_home_.low), off)};
+  const double away = furthest(region);
+  if (away <= spacing_) {
+    const double most = away == 0 ? 0 : slope_ * away * (1 + 1e-12);
+    out.low = std::max(out.low, -most);
+    out.high = std::min(out.high, most);
+  }
+  return out;
+}
+
+}  // namespace traj

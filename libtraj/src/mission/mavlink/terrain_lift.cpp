@@ -1,0 +1,285 @@
+#include "terrain_lift.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "geom/base/error.h"
+#include "mission/flown/flown_regions.h"
+#include "mission_autopilots.h"
+#include "mission_jumps.h"
+#include "mission_places.h"
+#include "split_hull.h"
+#include "terrain_difference.h"
+
+namespace traj {
+namespace {
+
+using geom::Rectangle;
+using geom::Vec2;
+
+constexpr double kPiece = 25;    // m: regions are cut until they are no longer than this
+constexpr double kAtHome = 2;    // m from home, along the axes, where its ground counts
+constexpr double kReaction = 1;  // s until an autopilot that slows down does
+
+// What the heights of all its legs count from.
+bool sets_height(const MissionItem& item) {
+  return MissionPlaces::is_there(item) && item.command != kLand;
+}
+
+void require_told(const MissionItem& item, std::string_view source) {
+  if (item.command == kLoiterToHeight || item.command == kPayloadPlace) {
+    refuse_item(source, item,
+                {.expected = "no climb (31) and no payload's place (94) in a mission above terrain",
+                 .found = fmt::format("command {}", item.command),
+                 .advice = "these count from home"});
+  }
+  if (!sets_height(item)) return;
+  if (!counts_from_terrain(item)) {
+    refuse_item(source, item,
+                {.expected = "a height above terrain, as another waypoint of the mission has",
+                 .found = fmt::format("frame {}", item.frame),
+                 .advice = "how high the way between them is depends on where the autopilot looks "
+                           "at its terrain"});
+  }
+  if (MissionPlaces::keeps_height(item)) {
+    refuse_item(source, item, {.expected = "a height above terrain", .found = "0"});
+  }
+}
+
+// Cuts a flat flight, remembers the terrain under each piece, and raises the pieces when all of the
+// terrain is known.
+class Raising {
+ public:
+  Raising(FlownMavlink flat, const MissionRules& rules, std::string_view source)
+      : flown_(std::move(flat)), rules_(*rules.terrain) {
+    double reach = 0;
+    for (const Autopilot& one : rules.autopilots) {
+      claim_.spacing = std::max(claim_.spacing, one.terrain_spacing);
+      claim_.lag = std::max(claim_.lag, one.terrain_lag);
+    }
+    for (std::size_t i = 0; i < rules.autopilots.size(); ++i) {
+      const double speed = std::max(rules.autopilots[i].speed, flown_.drift[i].speed);
+      reach = std::max(reach, s_curve_length(rules.autopilots[i], speed) + kReaction * speed);
+    }
+    const Vec2 home = flown_.home->head<2>();
+    difference_.emplace(rules_, home, claim_.spacing, claim_.spacing + reach, source);
+    claim_.error = rules_.error;
+    claim_.model = rules_.ground->is_flat() ? "flat" : rules_.ground->spec().hash;
+  }
+
+  FlownMavlink run() {
+    std::vector<LegPiece> legs = cut_path();
+    const std::vector<SweepPiece> sweeps = cut(flown_.sweeps);
+    std::vector<std::vector<SweepPiece>> drifts;
+    for (const Drift& drift : flown_.drift) drifts.push_back(cut(drift.sweeps));
+    // Now all of the terrain that the vehicle may have been over is known.
+    raise_path(legs);
+    set_landing();
+    flown_.sweeps = raised(sweeps);
+    for (std::size_t i = 0; i < drifts.size(); ++i) {
+      flown_.drift[i].sweeps = raised(drifts[i]);
+      flown_.drift[i].legs.clear();
+    }
+    flown_.terrain = claim_;
+    return std::move(flown_);
+  }
+
+ private:
+  struct SweepPiece {
+    const Sweep* of = nullptr;
+    Hull hull;
+    TerrainRange terrain;
+    bool at_home = false;
+  };
+  struct LegPiece {
+    std::size_t leg = 0;  // to this point of the path
+    Vec3 a;
+    Vec3 b;
+    TerrainRange terrain;
+  };
+
+  static Rectangle region_of(std::span<const Vec3> hull) {
+    const geom::Aabb box = *geom::bounds(hull);
+    return {box.min.head<2>(), box.max.head<2>()};
+  }
+
+  TerrainRange look(const Rectangle& region) {
+    const TerrainRange terrain = difference_->over(region);
+    all_ = all_.with(terrain);
+    return terrain;
+  }
+
+  std::vector<LegPiece> cut_path() {
+    std::vector<LegPiece> out;
+    const geom::Polyline& path = flown_.path;
+    look(region_of(std::span(path).first(1)));
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      const Vec3 way = path[i] - path[i - 1];
+      const double pieces = std::max(1.0, std::ceil(way.head<2>().norm() / kPiece));
+      for (double k = 0; k < pieces; ++k) {
+        LegPiece piece{
+            i, path[i - 1] + way * (k / pieces), path[i - 1] + way * ((k + 1) / pieces), {}};
+        if (k + 1 == pieces) piece.b = path[i];
+        piece.terrain = look(region_of(std::array{piece.a, piece.b}));
+        out.push_back(piece);
+      }
+    }
+    return out;
+  }
+
+  std::vector<SweepPiece> cut(const std::vector<Sweep>& sweeps) {
+    std::vector<SweepPiece> out;
+    for (const Sweep& sweep : sweeps) {
+      for (Hull& hull : split_hull(sweep.hull, kPiece)) {
+        const Rectangle region = region_of(hull);
+        const bool at_home =
+            sweep.part.manoeuvre == Manoeuvre::takeoff && difference_->furthest(region) <= kAtHome;
+        out.push_back({&sweep, std::move(hull), look(region), at_home});
+      }
+    }
+    return out;
+  }
+
+  // The vehicle is behind the terrain by no more than the lag, and no higher or lower over the
+  // ground's than all of the terrain on its way.
+  TerrainRange with_lag(const TerrainRange& terrain) const {
+    return {std::max(terrain.low - claim_.lag, all_.low),
+            std::min(terrain.high + claim_.lag, all_.high)};
+  }
+
+  void raise_path(const std::vector<LegPiece>& legs) {
+    const std::size_t count = legs.size();
+    std::vector<TerrainRange> bands;
+    for (const LegPiece& piece : legs) bands.push_back(with_lag(piece.terrain));
+    const auto middle = [&](std::size_t vertex) {  // before the piece of that number
+      if (vertex == 0 && (flown_.takes_off || count == 0)) return 0.0;
+      const TerrainRange& one = bands[std::min(vertex, count - 1)];
+      const TerrainRange both = vertex == 0 ? one : one.with(bands[vertex - 1]);
+      return (both.low + both.high) / 2;
+    };
+    const std::vector<FlightPart> parts = std::move(flown_.legs);
+    const std::vector<double> hold = std::move(flown_.hold);
+    const std::size_t points = flown_.path.size();
+    flown_.path = {flown_.path.front() + Vec3(0, 0, middle(0))};
+    flown_.legs = {parts.front()};
+    flown_.hold = {hold.front()};
+    for (std::size_t k = 0; k < count; ++k) {
+      const double from = middle(k);
+      const double to = middle(k + 1);
+      flown_.path.push_back(legs[k].b + Vec3(0, 0, to));
+      flown_.legs.push_back(parts[legs[k].leg]);
+      const bool ends = k + 1 == count || legs[k + 1].leg != legs[k].leg;
+      flown_.hold.push_back(ends ? hold[legs[k].leg] : 0);
+      flown_.leg_band.push_back(
+          std::max(bands[k].high - std::min(from, to), std::max(from, to) - bands[k].low));
+      claim_.band = std::max(claim_.band, bands[k].high - bands[k].low);
+    }
+    flown_.legs.insert(flown_.legs.end(), parts.begin() + static_cast<long>(points), parts.end());
+  }
+
+  // A landing sinks to the ground, which the model knows better than the autopilot.
+  void set_landing() {
+    if (!flown_.ends.landing_on) return;
+    const Vec2 at = flown_.path.back().head<2>();
+    const Rectangle place{at, at};
+    flat_landing_ = *flown_.ends.landing_on;
+    landing_ = flown_.home->z();
+    if (difference_->furthest(place) > kAtHome) {
+      Rectangle on_map = place;
+      if (rules_.axes != geom::Axes::enu) {
+        on_map = {{at.y(), at.x()}, {at.y(), at.x()}};
+      }
+      const geom::GroundRange ground = rules_.ground->range(on_map);
+      landing_ = (ground.low + ground.high) / 2;
+    }
+    flown_.ends.landing_on = landing_;
+  }
+
+  std::vector<Sweep> raised(const std::vector<SweepPiece>& pieces) const {
+    std::vector<Sweep> out;
+    for (const SweepPiece& piece : pieces) {
+      const bool lands = piece.of->stands_on && piece.of->part.manoeuvre == Manoeuvre::landing;
+      const TerrainRange by = piece.at_home ? piece.terrain : with_lag(piece.terrain);
+      Hull hull = lands ? sunk(piece.hull, by) : raised(piece.hull, by);
+      if (piece.of->stands_on && !lands) keep_above(*piece.of->stands_on, hull);
+      out.push_back(
+          {std::move(hull), piece.of->part, lands ? std::optional(landing_) : piece.of->stands_on});
+    }
+    return out;
+  }
+
+  static Hull raised(const Hull& hull, const TerrainRange& by) {
+    Hull out;
+    for (const Vec3& p : hull) {
+      out.push_back(p + Vec3(0, 0, by.low));
+      if (by.high > by.low) out.push_back(p + Vec3(0, 0, by.high));
+    }
+    return out;
+  }
+
+  static void keep_above(double ground, Hull& hull) {
+    for (Vec3& p : hull) p.z() = std::max(p.z(), ground);
+  }
+
+  // Down to the ground.
+  Hull sunk(const Hull& hull, const TerrainRange& by) const {
+    Hull out;
+    for (const Vec3& p : hull) {
+      out.emplace_back(p.x(), p.y(), landing_);
+      if (p.z() <= flat_landing_) continue;
+      for (const double raise : {by.low, by.high}) {
+        out.emplace_back(p.x(), p.y(), std::max(landing_, p.z() + raise));
+      }
+    }
+    return out;
+  }
+
+  FlownMavlink flown_;
+  TerrainRules rules_;
+  std::optional<TerrainDifference> difference_;
+  TerrainClaim claim_;
+  TerrainRange all_;  // of all the terrain on the way, home's included
+  double landing_ = 0;
+  double flat_landing_ = 0;  // before it was raised
+};
+
+}  // namespace
+
+bool counts_from_terrain(const Mission& mission, const MissionRules& rules,
+                         std::string_view source) {
+  if (!rules.terrain) return false;
+  const bool any = std::any_of(mission.items.begin(), mission.items.end(),
+                               [](const MissionItem& one) { return counts_from_terrain(one); });
+  if (!any) return false;
+  for (const Autopilot& one : rules.autopilots) {
+    if (one.follows_terrain) continue;
+    throw geom::InputError(
+        source,
+        {.expected = "an autopilot that follows its terrain (TERRAIN_ENABLE 1, and no rangefinder "
+                     "or WPNAV_RFND_USE 0)",
+         .found = "parameters with which it does not",
+         .advice = "over what a rangefinder sees, nobody knows its height"});
+  }
+  if (!mission.home && mission.items.front().command != kTakeoff) {
+    throw geom::InputError(source, {.expected = "home or a take-off as its first item, since the "
+                                                "autopilot's terrain counts from home",
+                                    .found = "neither"});
+  }
+  for (const MissionItem& item : mission.items) {
+    if (!moves_nothing(item.command)) require_told(item, source);
+  }
+  return true;
+}
+
+FlownMavlink raised_over_terrain(FlownMavlink flat, const MissionRules& rules,
+                                 std::string_view source) {
+  return Raising(std::move(flat), rules, source).run();
+}
+
+}  // namespace traj

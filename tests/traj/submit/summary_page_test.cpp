@@ -1,0 +1,50 @@
+#include "traj/submit/summary_page.h"
+
+#include <gtest/gtest.h>
+
+namespace traj {
+namespace {
+
+bool says(const Submission& submission, const std::string& kind, const char* text) {
+  const FlightClaims claims{.id = "q1", .kind = kind};
+  return summary_page({}, submission, {&claims, 1}).find(text) != std::string::npos;
+}
+
+Submission compared(std::size_t pairs, std::size_t refused) {
+  Submission out{.made_by = "skyway 1", .flights = 3};
+  out.method.together = TogetherRule{.spacing = {.zone = cylinder(32, 7.5)}};
+  out.pairs = FlightPairs{pairs, refused, {}};
+  if (refused > 0) out.pairs->named = {{"a<1>", "b"}};
+  return out;
+}
+
+constexpr const char* kNotCompared = "not compared with each other";
+
+TEST(SummaryPage, SaysWhetherFlightsWereCompared) {
+  EXPECT_TRUE(says({}, "trajectory", kNotCompared));
+  EXPECT_FALSE(says(compared(3, 0), "trajectory", kNotCompared));
+  EXPECT_TRUE(says(compared(3, 0), "trajectory", "all 3 pairs of trajectories keep apart: 32 m"));
+  EXPECT_TRUE(says(compared(3, 0), "mission", "Missions have no times, so they were not compared"));
+}
+
+TEST(SummaryPage, NamesFlightsThatComeTooNear) {
+  EXPECT_TRUE(says(compared(3, 1), "trajectory", "1 of 3 pairs of trajectories come too near"));
+  EXPECT_TRUE(says(compared(3, 1), "trajectory", "a&lt;1&gt; and b"));
+  EXPECT_FALSE(says(compared(3, 1), "trajectory", "pairs.jsonl has all"));
+  EXPECT_TRUE(says(compared(3, 2), "trajectory", "pairs.jsonl has all"));
+  EXPECT_FALSE(says(compared(3, 1), "trajectory", "At every instant all"));
+}
+
+TEST(SummaryPage, SaysWhichSpacingWasAskedFor) {
+  Submission touching = compared(1, 0);
+  touching.method.together->spacing.zone.reset();
+  EXPECT_TRUE(says(touching, "trajectory", "with their margins, never touch"));
+  Submission downwash = compared(1, 0);
+  downwash.method.together->spacing.downwash = cylinder(2, 9);
+  downwash.method.together->parked = Parked::gone;
+  EXPECT_TRUE(says(downwash, "trajectory", "within 2 m across and 9 m below another"));
+  EXPECT_TRUE(says(downwash, "trajectory", "before and after its flight none is there"));
+}
+
+}  // namespace
+}  // namespace traj
