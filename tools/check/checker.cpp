@@ -32,6 +32,7 @@ Checks Checker::solved(const geom::CollisionScene& scene, const traj::Trajectory
     returns.start = geom::start_on(scene.map(), record.time, source, line);
     out.report.returns = traj::check_return(scene, record, *rules_.flier, returns);
   }
+  if (rules_.tubes) out.report.tube = rules_.tubes->check(scene, record);
   out.profile = profile_.rows(record.id, scene, record.trajectory, out.report.result.duration);
   return out;
 }
@@ -58,6 +59,11 @@ Checker::Checked Checker::trajectory(traj::TrajectoryRecord record, const std::s
 Checks Checker::path(const geom::PathRecord& record, const std::string& source,
                      std::size_t line) const {
   if (together_.collects()) together_.refuse_path(record.id, source, line);
+  if (rules_.tubes) {
+    throw geom::InputError(source, line,
+                           {.expected = "a trajectory, which a tube (--tube) is of",
+                            .found = "a path, which has no times"});
+  }
   if (record.status != geom::PathStatus::found) return {traj::unsolved_report(record)};
   const auto scene = scenes_.shared_scene_for(record.provenance, source, line);
   rules_.metres.check_input(scene->map().spec().frame, record.points, source, line);

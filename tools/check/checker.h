@@ -17,6 +17,7 @@
 #include "together.h"
 #include "traj/check/check_record.h"
 #include "traj/check/check_return.h"
+#include "tubes.h"
 
 namespace checking {
 
@@ -25,6 +26,7 @@ struct Rules {
   const traj::Flier* flier = nullptr;              // of drone files and returns
   std::optional<traj::ReturnRules> returns = {};   // where they are asked for
   cli::MetresOption metres = cli::MetresOption();  // whether records may be degrees
+  const Tubes* tubes = nullptr;                    // of trajectories, where they are asked for
 };
 
 class Checker {

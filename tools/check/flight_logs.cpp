@@ -21,8 +21,8 @@ void FlightLogs::add_to(CLI::App& app) {
                  "they were");
   app.add_option(
       "--tube", tube_,
-      "report of skyway-fly --runs of the plan: how much of the flight stayed within its "
-      "tube");
+      "reports of skyway-fly --proved-tube or --runs: the map must be clear with the tube around "
+      "each trajectory; of a flight log (with --plan), how much of it stayed within the tube");
   app.add_option("--require-clearance", rule_.clearance,
                  "accept flight logs that kept so many metres from obstacles at their samples and "
                  "straight between them; the report says what was not measured")
@@ -32,8 +32,7 @@ void FlightLogs::add_to(CLI::App& app) {
 }
 
 void FlightLogs::refuse_idle(const CLI::App& app, bool asked) const {
-  cli::only_for(app, asked, {"--plan", "--tube", "--require-clearance", "--sampled"},
-                "flight logs");
+  cli::only_for(app, asked, {"--plan", "--require-clearance", "--sampled"}, "flight logs");
   if (!asked) return;
   constexpr const char* kApply = "records and drone files";
   cli::only_for(app, false,
@@ -58,7 +57,7 @@ traj::FlightLogCheck FlightLogs::read_plans(const geom::BoxMap& map,
   }
   if (tube_.empty()) return check;
   cli::InputFile tubes(tube_);
-  check.read_tubes(tubes.stream(), tubes.name());
+  check.read_tubes(tubes.stream(), tubes.name(), map.spec().frame.axes);
   return check;
 }
 

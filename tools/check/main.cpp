@@ -111,6 +111,8 @@ void Options::refuse_idle(const CLI::App& app) const {
   contingencies.refuse_idle(app);
   cli::only_for(app, !flight_log(), {"--return"}, "records and drone files");
   together.refuse_idle(app, !drone_file.format.empty());
+  cli::only_for(app, (flight_log() || drone_file.format.empty()) && !contingencies.asked(),
+                {"--tube"}, "trajectories and flight logs");
   cli::only_for(app, !profile.file().empty(), {"--profile-step"}, "--profile");
   terrain.refuse_idle(drone_file.reading.rules);
   if (drone_file.format.empty()) {
@@ -236,8 +238,13 @@ cli::Exit check_records(Options& options, cli::InputFile& file, cli::Scenes& sce
   if (!options.drone_file.format.empty() || options.returns.asked()) {
     options.drone_file.autopilot.settle(options.vehicle.profile());
   }
-  const checking::Checker checker(common, scenes, options.profile, options.together,
-                                  options.rules());
+  std::optional<checking::Tubes> tubes;
+  if (!options.flights.tube().empty()) {
+    tubes.emplace(options.flights.tube(), scenes, options.vehicle.margin.value_or(0));
+  }
+  checking::Rules rules = options.rules();
+  rules.tubes = tubes ? &*tubes : nullptr;
+  const checking::Checker checker(common, scenes, options.profile, options.together, rules);
   checking::Reports reports(options.files(), sharding, scenes.map());
   const std::size_t total = checker.each(file, options.drone_file, sharding.shard(), reports);
   if (options.drop_refused) options.together.drop(reports.dropped());

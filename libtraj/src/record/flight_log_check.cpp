@@ -1,29 +1,15 @@
 #include "traj/record/flight_log_check.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
 #include "geom/base/error.h"
-#include "geom/text/json_fields.h"
-#include "geom/text/record_lines.h"
+#include "traj/record/tube_reports.h"
 
 namespace traj {
 namespace {
 
-constexpr double kHair = 1e-6;  // seconds, or of a period, for rounding
-
-// A tube of a shorter flight says nothing of the rest.
-void require_whole(const TubeRecord& tube, const Trajectory& plan, const geom::JsonFields& fields) {
-  const double periods = duration(plan) / tube.period;
-  const auto has = static_cast<double>(tube.radius.size());
-  if (has >= periods - kHair) return;
-  fields.refuse(
-      {.expected = fmt::format("a tube for the {:.6g} s of its plan", periods * tube.period),
-       .found = fmt::format("one for {:.6g} s", has * tube.period),
-       .advice = "fly this plan again (skyway-fly --runs)"});
-}
+constexpr double kHair = 1e-6;  // seconds, for rounding
 
 }  // namespace
 
@@ -31,24 +17,21 @@ void FlightLogCheck::add_plan(TrajectoryRecord plan) {
   if (plan.status == TrajectoryStatus::solved) plans_.push_back({std::move(plan), {}});
 }
 
-void FlightLogCheck::read_tubes(std::istream& in, const std::string& source) {
+void FlightLogCheck::read_tubes(std::istream& in, const std::string& source, geom::Axes axes) {
+  const TubeReports tubes = TubeReports::read(in, source);
   bool found = false;
-  geom::for_each_line(in, source, [&](const std::string& text, std::size_t line) {
-    const geom::JsonFields fields(text, source, line);
-    fields.require_type("flight");
-    const auto tube = read_tube(fields);
-    const std::string id = fields.text("id");
-    for (Plan& plan : plans_) {
-      if (!tube || plan.record.id != id) continue;
-      require_whole(*tube, plan.record.trajectory, fields);
-      plan.tube = tube;
-      found = true;
-    }
-  });
+  for (Plan& plan : plans_) {
+    const geom::Provenance& made_for = plan.record.provenance;
+    const TubeRecord* const tube = tubes.tube_of(
+        plan.record, {.frame = made_for.frame.value_or(axes), .vehicle = made_for.vehicle});
+    if (!tube) continue;
+    plan.tube = *tube;
+    found = true;
+  }
   if (found) return;
   throw geom::InputError(source, {.expected = "a flight of the plan with a tube",
                                   .found = "none",
-                                  .advice = "skyway-fly --runs writes it"});
+                                  .advice = "skyway-fly --runs or --proved-tube writes it"});
 }
 
 const FlightLogCheck::Plan* FlightLogCheck::plan_of(const std::string& id) const {
@@ -81,9 +64,9 @@ SampledReport FlightLogCheck::judge(const FlightLog& log, const geom::CollisionS
                        .rule = rule_};
   const Plan* const plan = plan_of(log.id);
   if (!plan) return report;
-  const TubeRecord tube = plan->tube.value_or(TubeRecord{{}, 1});
+  const TubeRecord tube = plan->tube.value_or(TubeRecord{.period = 1});
   report.plan = flown_tube(plan->record.trajectory, tube.radius, tube.period, points, times);
-  report.tube = plan->tube.has_value();
+  if (plan->tube) report.tube = plan->tube->claim.kind;
   report.short_of_plan = times.back() - times.front() < duration(plan->record.trajectory) - kHair;
   return report;
 }

@@ -4,6 +4,7 @@
 
 #include "geom/base/percentile.h"
 #include "geom/text/json_line.h"
+#include "traj/record/disturbance_record.h"
 
 namespace traj {
 namespace {
@@ -57,7 +58,7 @@ JsonLine tube(const FlightReport& r, const geom::BoxMap* map) {
     line.add("clear", r.tube_check->clear);
     if (!r.tube_check->clear) add_violation(line, *r.tube_check, map);
   }
-  return line.add("radius", radius);
+  return line.add("trajectory", r.trajectory).add("radius", radius);
 }
 
 JsonLine runs(const FlightReport& r, const geom::BoxMap* map) {
@@ -75,10 +76,9 @@ JsonLine runs(const FlightReport& r, const geom::BoxMap* map) {
 
 // What the proof of a tube allows, and what it came to.
 JsonLine proved(const FlightReport& r, const geom::BoxMap* map) {
-  const Disturbances& d = *r.disturbances;
   JsonLine line;
-  line.add("ok", !r.proved.trouble).add("wind", d.wind).add("wind_spread", d.wind_spread);
-  line.add("gust_most", d.gust_most).add("gust_lag", d.gust_lag).add("mass_error", d.mass_error);
+  line.add("ok", !r.proved.trouble);
+  add(line, *r.disturbances);
   line.add("damping", r.proved.damping).add("cells", r.proved.cells);
   if (const auto& trouble = r.proved.trouble) {
     line.add("reason", geom::word_of(kTubeTroubleWords, trouble->kind)).add("time", trouble->time);
@@ -90,7 +90,8 @@ JsonLine proved(const FlightReport& r, const geom::BoxMap* map) {
     line.add("clear", r.proved_check->clear);
     if (!r.proved_check->clear) add_violation(line, *r.proved_check, map);
   }
-  return line.add("radius", r.proved.radius);
+  line.add("says", "proved for the simulated vehicle, in these ranges");
+  return line.add("trajectory", r.trajectory).add("radius", r.proved.radius);
 }
 
 void add_energy(JsonLine& line, const FlightReport& r, const Airframe& airframe) {

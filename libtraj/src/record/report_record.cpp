@@ -47,8 +47,12 @@ void add_reason(JsonLine& line, const ReportRecord& record, const geom::BoxMap& 
     add_violation(line, result, map);
   } else if (record.exact && !record.exact->ok) {  // never, unless one of the checks is wrong
     line.add("reason", "exact");
-  } else if (!accepted(record)) {
+  } else if (record.returns && !record.returns->ok()) {
     line.add("reason", name(Reason::return_home));
+  } else if (!accepted(record)) {
+    const FlightPathCheck& tube = record.tube->check;
+    line.add("reason", kTubeReason).add("time", tube.time).add("place", tube.place);
+    add_box(line, tube.box, map);
   }
 }
 
@@ -115,6 +119,14 @@ JsonLine object_of(const TerrainClaim& terrain) {
   JsonLine line;
   line.add("model", terrain.model).add("error", terrain.error).add("spacing", terrain.spacing);
   line.add("lag", terrain.lag).add("band", terrain.band);
+  return line;
+}
+
+JsonLine object_of(const TubeReport& tube) {
+  JsonLine line;
+  add(line, tube.claim);
+  line.add("margin", tube.margin).add("clear", tube.check.clear);
+  if (!tube.check.clear) line.add("reason", name(tube.check.reason));
   return line;
 }
 
@@ -200,7 +212,7 @@ void add_airspace(JsonLine& line, const geom::BoxMapSpec& spec) {
 
 bool accepted(const ReportRecord& record) {
   return record.result.ok && (!record.exact || record.exact->ok) &&
-         (!record.returns || record.returns->ok());
+         (!record.returns || record.returns->ok()) && (!record.tube || record.tube->check.clear);
 }
 
 std::string to_json_line(const ReportRecord& record, const geom::BoxMap& map) {
@@ -234,6 +246,7 @@ std::string to_json_line(const ReportRecord& record, const geom::BoxMap& map) {
   add_not_measured(line, record);
   if (record.exact) line.add("exact", object_of(*record.exact, record, map));
   if (record.returns) line.add("return", object_of(*record.returns, map));
+  if (record.tube) line.add("tube", object_of(*record.tube));
   add(line, record.provenance);
   add(line, record.time);
   add(line, record.limits);

@@ -1,8 +1,5 @@
 #include "traj/record/sampled_report.h"
 
-#include <nlohmann/json.hpp>
-
-#include "geom/text/json_fields.h"
 #include "geom/text/json_line.h"
 
 namespace traj {
@@ -15,7 +12,7 @@ JsonLine plan_of(const SampledReport& report) {
   JsonLine line;
   line.add("furthest", plan.furthest.value).add("furthest_time", plan.furthest.time);
   if (!report.tube) return line;
-  line.add("inside_tube", plan.inside);
+  line.add("tube", geom::word_of(kTubeKindWords, *report.tube)).add("inside_tube", plan.inside);
   line.add("share", static_cast<double>(plan.inside) / static_cast<double>(report.samples));
   if (plan.inside < report.samples) line.add("left_tube", plan.left);
   return line;
@@ -65,30 +62,6 @@ std::string to_json_line(const SampledReport& report, const geom::BoxMap& map) {
   if (report.plan) line.add("plan", plan_of(report));
   add(line, report.provenance);
   return line.line();
-}
-
-std::optional<TubeRecord> read_tube(const geom::JsonFields& flight) {
-  if (!flight.has("monte_carlo")) return std::nullopt;
-  const nlohmann::json& runs = flight.value("monte_carlo");
-  if (!runs.is_object() || !runs.contains("tube")) return std::nullopt;
-  const nlohmann::json& tube = runs["tube"];
-  const auto positive = [](const nlohmann::json& v) {
-    return v.is_number() && v.get<double>() >= 0 && v.get<double>() <= geom::kLargestCoordinate;
-  };
-  TubeRecord out;
-  const bool fits = tube.is_object() && tube.contains("period") && positive(tube["period"]) &&
-                    tube["period"].get<double>() > 0 && tube.contains("radius") &&
-                    tube["radius"].is_array() && !tube["radius"].empty();
-  if (!fits)
-    flight.refuse(
-        {.expected = "a tube with a period and radius", .found = tube.dump().substr(0, 80)});
-  out.period = tube["period"].get<double>();
-  for (const nlohmann::json& radius : tube["radius"]) {
-    if (!positive(radius))
-      flight.refuse({.key = "radius", .expected = "metres >= 0", .found = radius.dump()});
-    out.radius.push_back(radius.get<double>());
-  }
-  return out;
 }
 
 }  // namespace traj

@@ -10,6 +10,8 @@
 #include "geom/text/counted.h"
 #include "geom/text/record_lines.h"
 #include "traj/curve/to_enu.h"
+#include "traj/curve/trajectory_hash.h"
+#include "traj/flight/tilted_radius.h"
 
 namespace traj {
 namespace {
@@ -124,20 +126,13 @@ FlightReport SimulatedFlights::report_of(const Entry& entry, const ReferenceTrac
   report.time = entry.record.time;
   if (!track) return report;
   report.duration = track->duration();
+  report.trajectory = trajectory_hash(entry.record.trajectory);
   judge(entry, flight, report);
   return report;
 }
 
-// A tube in which the vehicle tilts further than its half sizes allow for: the radii with what its
-// body then reaches further. Half sizes without a body hold at every tilt.
-std::vector<double> SimulatedFlights::at_tilt(std::vector<double> radius, double tilt) const {
-  const auto& most = options_.profile.vehicle.limits[geom::Limit::tilt];
-  if (!most || !options_.profile.body || tilt <= *most) return radius;
-  const Vec3 more =
-      geom::attitude_half_sizes(*options_.profile.body, std::min(tilt, 1.5707963267948966)) -
-      geom::attitude_half_sizes(*options_.profile.body, *most);
-  for (double& r : radius) r += more.cwiseMax(0).norm();
-  return radius;
+std::vector<double> SimulatedFlights::at_tilt(std::span<const double> radius, double tilt) const {
+  return tilted_radius(radius, tilt, options_.profile.vehicle, options_.profile.body);
 }
 
 void SimulatedFlights::add_runs(const Entry& entry, std::span<const RunOutcome> runs,
@@ -153,6 +148,7 @@ void SimulatedFlights::add_runs(const Entry& entry, std::span<const RunOutcome> 
 void SimulatedFlights::add_proof(const Entry& entry, const ReferenceTrack& track,
                                  const geom::Execution& run, FlightReport& report) {
   report.disturbances = options_.disturbances;
+  report.provenance.vehicle = options_.profile.vehicle;  // the one that it is proved for
   report.proved = prove_tube(track, options_.flight, *options_.disturbances, run);
   if (options_.tube && !report.proved.trouble) {
     report.proved_check =

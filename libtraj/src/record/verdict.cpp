@@ -155,6 +155,7 @@ std::string accepted_in_words(const ReportRecord& report) {
                          *report.returns->least_height);
     }
   }
+  if (report.tube) out += fmt::format("; clear with {}", in_words(report.tube->claim));
   std::vector<std::string> missing;
   for (const Limit limit : not_measured(result, report.limits)) {
     missing.push_back(spoken(kind_of(limit).quantity));
@@ -259,8 +260,8 @@ std::string in_words_of_damping(double damping) {
       damping);
 }
 
-// Where a simulated flight, or the tube of its runs, is not clear.
-std::string flown_in_words(const FlightPathCheck& check, const FlightReport& report,
+// Where a simulated flight, or a tube, is not clear.
+std::string flown_in_words(const FlightPathCheck& check, const geom::Provenance& provenance,
                            const geom::BoxMap& map) {
   CheckResult fault;
   fault.reason = check.reason;
@@ -268,8 +269,17 @@ std::string flown_in_words(const FlightPathCheck& check, const FlightReport& rep
   fault.box = check.box;
   const geom::Vec3& p = check.place;
   return fmt::format("{} at {:.6g} s, near [{:.3f}, {:.3f}, {:.3f}]",
-                     fault_in_words(fault, map, held_of(report.provenance)), check.time, p.x(),
-                     p.y(), p.z());
+                     fault_in_words(fault, map, held_of(provenance)), check.time, p.x(), p.y(),
+                     p.z());
+}
+
+// Of a way that is clear, and not with its tube.
+std::string tube_in_words(const ReportRecord& report, const geom::BoxMap& map) {
+  const TubeReport& tube = *report.tube;
+  geom::Provenance held = report.provenance;
+  held.margin = tube.margin;
+  return fmt::format("with {}, {}; keep more room there, or fly slower", in_words(tube.claim),
+                     flown_in_words(tube.check, held, map));
 }
 
 std::string ways_home_in_words(const ReportRecord& report) {
@@ -372,7 +382,8 @@ std::string advice_for(const ReportRecord& report) {
 std::string_view verdict_word(const ReportRecord& report) {
   if (accepted(report)) return "ok";
   if (!report.result.ok) return name(report.result.reason);
-  return report.exact && !report.exact->ok ? "exact" : name(Reason::return_home);
+  if (report.exact && !report.exact->ok) return "exact";
+  return report.returns && !report.returns->ok() ? name(Reason::return_home) : kTubeReason;
 }
 
 std::string in_words(const ReportRecord& report, const geom::BoxMap& map) {
@@ -381,7 +392,11 @@ std::string in_words(const ReportRecord& report, const geom::BoxMap& map) {
     return ways_home ? ways_home_in_words(report) : accepted_in_words(report);
   }
   if (!report.result.ok) return ways_home ? report.detail : refused_in_words(report, map);
-  if (!report.exact || report.exact->ok) return returns_in_words(*report.returns, map);
+  const bool exact_refuses = report.exact && !report.exact->ok;
+  if (!exact_refuses && report.returns && !report.returns->ok()) {
+    return returns_in_words(*report.returns, map);
+  }
+  if (!exact_refuses) return tube_in_words(report, map);
   return fmt::format(
       "the exact check refuses what the other accepts ({}); one of them is wrong: "
       "please report it",
@@ -419,14 +434,14 @@ std::string in_words(const FlightReport& report, const geom::BoxMap* map) {
     return fmt::format("the vehicle loses its way at {:.4g} s; {}", *report.lost, slower);
   }
   if (report.check && !report.check->clear && map) {
-    return fmt::format("{}; {}", flown_in_words(*report.check, report, *map), slower);
+    return fmt::format("{}; {}", flown_in_words(*report.check, report.provenance, *map), slower);
   }
   if (report.tube.lost > 0) {
     return fmt::format("{} of the runs lose their way; {}", report.tube.lost, slower);
   }
   if (report.tube_check && !report.tube_check->clear && map) {
     return fmt::format("within the tube of its runs, {}; {}",
-                       flown_in_words(*report.tube_check, report, *map), slower);
+                       flown_in_words(*report.tube_check, report.provenance, *map), slower);
   }
   if (const auto& trouble = report.proved.trouble) {
     return fmt::format("no tube is proved: {}; {}", in_words(*trouble),
@@ -434,7 +449,7 @@ std::string in_words(const FlightReport& report, const geom::BoxMap* map) {
   }
   if (report.proved_check && !report.proved_check->clear && map) {
     return fmt::format("within the proved tube, {}; {}",
-                       flown_in_words(*report.proved_check, report, *map), slower);
+                       flown_in_words(*report.proved_check, report.provenance, *map), slower);
   }
   return fmt::format("flown in {:.4g} s", report.duration);
 }

@@ -16,7 +16,7 @@ const geom::CollisionScene& scene() {
 }
 
 SampledReport report(const std::vector<Vec3>& points, const std::vector<double>& times) {
-  return {"f", check_sampled(scene(), points, times), points.size(), false, {}, false, {}};
+  return {"f", check_sampled(scene(), points, times), points.size(), false, {}, {}, {}};
 }
 
 TEST(SampledReport, SaysOkOfNothingWithoutARule) {
@@ -107,35 +107,11 @@ TEST(SampledReport, SaysHowMuchStayedInTheTube) {
   EXPECT_NE(to_json_line(one, scene().map())
                 .find("\"cut\":true,\"plan\":{\"furthest\":0.25,\"furthest_time\":1}"),
             std::string::npos);
-  one.tube = true;
+  one.tube = TubeKind::statistics;
   EXPECT_NE(to_json_line(one, scene().map())
-                .find("\"furthest_time\":1,\"inside_tube\":1,\"share\":0.5,\"left_tube\":0.5}"),
+                .find("\"furthest_time\":1,\"tube\":\"statistics\",\"inside_tube\":1,\"share\":0.5,"
+                      "\"left_tube\":0.5}"),
             std::string::npos);
-}
-
-std::optional<TubeRecord> tube(const std::string& json) {
-  return read_tube(geom::JsonFields(json, "flights", 3));
-}
-
-TEST(SampledReport, ReadsATube) {
-  const auto read =
-      tube(R"({"monte_carlo":{"tube":{"share":0.999,"period":0.1,"radius":[0.2,0.3]}}})");
-  ASSERT_TRUE(read);
-  EXPECT_EQ(read->period, 0.1);
-  EXPECT_EQ(read->radius, (std::vector<double>{0.2, 0.3}));
-  EXPECT_FALSE(tube("{}"));
-  EXPECT_FALSE(tube(R"({"monte_carlo":{"lost":3}})"));
-}
-
-TEST(SampledReport, RefusesTubesThatCannotBe) {
-  for (const char* text :
-       {"3", "{}", R"({"period":0,"radius":[1]})", R"({"period":0.1,"radius":[]})",
-        R"({"period":0.1,"radius":[-1]})", R"({"period":0.1,"radius":["1"]})",
-        R"({"period":"0.1","radius":[1]})", R"({"period":0.1,"radius":2})"}) {
-    const std::string line = std::string(R"({"monte_carlo":{"tube":)") + text + "}}";
-    EXPECT_NE(support::refusal_of([&] { tube(line); }).find("flights:3"), std::string::npos)
-        << text;
-  }
 }
 
 }  // namespace

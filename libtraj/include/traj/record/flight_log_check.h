@@ -20,6 +20,7 @@
 #include "traj/flight/flight_log.h"
 #include "traj/record/sampled_report.h"
 #include "traj/record/trajectory_record.h"
+#include "traj/record/tube_record.h"
 
 namespace traj {
 
@@ -32,9 +33,9 @@ class FlightLogCheck {
   void add_plan(TrajectoryRecord plan);
   bool has_plans() const { return !plans_.empty(); }
 
-  // Takes tubes of the plans from reports of skyway-fly --runs. Throws InputError where none is of
-  // a plan, and for one that is shorter than its plan.
-  void read_tubes(std::istream& in, const std::string& source);
+  // Takes tubes of the plans, which are in these axes. Throws InputError as TubeReports, and where
+  // none is of a plan.
+  void read_tubes(std::istream& in, const std::string& source, geom::Axes axes = geom::Axes::enu);
 
   // Whether a log has a plan. The plan with the id of the log counts, or else the only plan.
   bool has_plan(const FlightLog& log) const { return plan_of(log.id) != nullptr; }

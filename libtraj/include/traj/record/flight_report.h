@@ -25,6 +25,7 @@ struct FlightReport {
   std::string id;
   TrajectoryStatus status = TrajectoryStatus::solved;  // another is not flown
   double duration = 0;                                 // s, of the trajectory
+  std::string trajectory = {};                         // its trajectory_hash()
   FlightOptions options;
   std::optional<double> lost;        // s
   std::optional<Tracking> tracking;  // of a flight that was not lost

@@ -19,17 +19,29 @@
 
 #include "geom/map/box_map.h"
 #include "geom/record/record.h"
+#include "traj/flight/flown_path.h"
 #include "traj/proof/check.h"
 #include "traj/proof/exact/exact_check.h"
 #include "traj/record/return_report.h"
 #include "traj/record/return_summary.h"
 #include "traj/record/terrain_claim.h"
 #include "traj/record/trajectory_record.h"
+#include "traj/record/tube_record.h"
 
 namespace traj {
 
+// The tube of a flight, held against the map.
+struct TubeReport {
+  TubeClaim claim;
+  FlightPathCheck check;
+  double margin = 0;  // m around the vehicle and its tube
+};
+
 // `checked` of the ways home of a flight (traj/home/check_contingencies.h).
 inline constexpr std::string_view kCheckedContingency = "contingency";
+
+// `reason` where the way is clear, and not with the tube around it.
+inline constexpr std::string_view kTubeReason = "tube";
 
 struct ReportRecord {
   std::string id;
@@ -61,6 +73,7 @@ struct ReportRecord {
   // Whether timed boxes counted by their times; else as always there.
   bool by_time = false;
   std::optional<ReturnReport> returns = {};  // where it was asked for
+  std::optional<TubeReport> tube = {};       // likewise
   bool dropped = false;  // refused and left out: the verdict on the others does not count it
 };
 

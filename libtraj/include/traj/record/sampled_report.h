@@ -10,16 +10,12 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "geom/map/box_map.h"
 #include "geom/record/record.h"
 #include "traj/flight/flown_tube.h"
 #include "traj/proof/sampled_flight.h"
-
-namespace geom {
-class JsonFields;
-}
+#include "traj/record/tube_record.h"
 
 namespace traj {
 
@@ -36,7 +32,7 @@ struct SampledReport {
   std::size_t samples = 0;
   bool cut = false;  // the log broke off
   std::optional<FlownTube> plan;
-  bool tube = false;  // whether the plan came with one
+  std::optional<TubeKind> tube;  // where the plan came with one
   geom::Provenance provenance;
   SampledRule rule = {};
   // The log lasts a shorter time than its plan, so that it cannot hold the whole flight.
@@ -52,14 +48,5 @@ std::string_view reason_of(const SampledReport& report, const geom::BoxMap& map)
 // Ends with a newline. "ok" only where the rule accepts it; "verdict" then says what was looked at:
 // "sampled" or "clearance". `map` gives the source id of the obstacle that was hit.
 std::string to_json_line(const SampledReport& report, const geom::BoxMap& map);
-
-// The tube of a report of skyway-fly --runs.
-struct TubeRecord {
-  std::vector<double> radius;  // m, at least one
-  double period = 0;           // s, > 0
-};
-
-// Nothing for a flight of which no tube is known. Throws InputError for a tube that cannot be.
-std::optional<TubeRecord> read_tube(const geom::JsonFields& flight);
 
 }  // namespace traj

@@ -94,7 +94,7 @@ class SimulatedFlights {
   Flown flown(const Entry& entry) const;
   FlightReport report_of(const Entry& entry, const ReferenceTrack* track, const Flight& flight);
   void add_runs(const Entry& entry, std::span<const RunOutcome> runs, FlightReport& report);
-  std::vector<double> at_tilt(std::vector<double> radius, double tilt) const;
+  std::vector<double> at_tilt(std::span<const double> radius, double tilt) const;
   void add_proof(const Entry& entry, const ReferenceTrack& track, const geom::Execution& run,
                  FlightReport& report);
   void judge(const Entry& entry, const Flight& flight, FlightReport& report);

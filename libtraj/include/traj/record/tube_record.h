@@ -1,0 +1,61 @@
+#pragma once
+
+// The tube of a flight, read back from the report of skyway-fly, and what it says of itself.
+//
+// Example:
+//   const auto tube = traj::parse_tube(
+//       R"({"type":"flight","id":"q1","monte_carlo":{"tube":{"period":0.1,"radius":[0.2,0.3]}}})",
+//       "flights.jsonl", 1);
+//   assert(tube->claim.kind == traj::TubeKind::statistics && tube->claim.largest == 0.3);
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geom/record/record.h"
+#include "geom/text/words.h"
+#include "traj/tube/prove_tube.h"
+
+namespace traj {
+
+// What stands behind a tube: a proof for stated disturbances (docs/tube.md), or many simulated
+// flights.
+enum class TubeKind { proved, statistics };
+inline constexpr geom::Words<TubeKind, 2> kTubeKindWords{{
+    {TubeKind::proved, "proved"},
+    {TubeKind::statistics, "statistics"},
+}};
+
+// What a report says of its tube. Nobody who reads it proves it again.
+struct TubeClaim {
+  TubeKind kind = TubeKind::statistics;
+  double largest = 0;                             // m
+  double tilt = 0;                                // rad: the vehicle tilts no further
+  std::optional<Disturbances> disturbances = {};  // for which it was proved
+};
+
+struct TubeRecord {
+  TubeClaim claim = {};
+  std::vector<double> radius = {};   // m, in each period; empty: the proof was refused
+  double period = 0;                 // s, > 0
+  std::string trajectory = {};       // trajectory_hash(); empty: the report does not say
+  std::string refused = {};          // why there is no proof: a word of kTubeTroubleWords
+  geom::Provenance provenance = {};  // of the flight
+};
+
+// Of a report that has a proved tube and one of runs, the proved one; nothing for a flight without
+// any. Throws InputError(source, line, …) for what is no report of a flight and for a tube that
+// cannot be: a radius that is not finite, is negative or is missing; of a proved tube also a
+// largest radius that is not the largest and a member that is not known here.
+std::optional<TubeRecord> parse_tube(std::string_view json, std::string_view source,
+                                     std::size_t line);
+
+// Adds kind, largest, tilt and the disturbances.
+void add(geom::JsonLine& line, const TubeClaim& claim);
+
+// "a tube of at most 0.031 m, proved for the simulated vehicle in …" or "a tube of at most 0.05 m,
+// from statistics and not proved".
+std::string in_words(const TubeClaim& claim);
+
+}  // namespace traj

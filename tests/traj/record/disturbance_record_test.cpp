@@ -1,0 +1,43 @@
+#include "traj/record/disturbance_record.h"
+
+#include <gtest/gtest.h>
+
+#include "geom/text/json_fields.h"
+#include "geom/text/json_line.h"
+#include "support/refusal.h"
+
+namespace traj {
+namespace {
+
+std::string written(const Disturbances& d) {
+  geom::JsonLine line;
+  add(line, d);
+  return line.object();
+}
+
+TEST(DisturbanceRecord, ReadsWhatItWrites) {
+  const Disturbances d{{1, -2, 0.5}, 0.2, 0.7, 2, 0.01};
+  const Disturbances read = read_disturbances(geom::JsonFields(written(d), "tube", 1));
+  EXPECT_EQ(written(read), written(d));
+  EXPECT_EQ(read.wind, d.wind);
+  for (const DisturbanceRange& range : kDisturbanceRanges) {
+    EXPECT_EQ(read.*range.value, d.*range.value) << range.key;
+    EXPECT_NE(in_words(d).find("0.7 m/s"), std::string::npos) << in_words(d);
+  }
+}
+
+TEST(DisturbanceRecord, RefusesRangesThatCannotBe) {
+  for (const DisturbanceRange& range : kDisturbanceRanges) {
+    for (const double value : {range.least - 1e-3, range.most * 1.01 + 1e-9}) {
+      Disturbances d;
+      d.*range.value = value;
+      const auto read = [&] { read_disturbances(geom::JsonFields(written(d), "tube", 7)); };
+      EXPECT_NE(support::refusal_of(read).find("tube:7: " + std::string(range.key)),
+                std::string::npos);
+    }
+  }
+  EXPECT_NE(support::refusal_of([] { read_disturbances(geom::JsonFields("{}", "tube", 7)); }), "");
+}
+
+}  // namespace
+}  // namespace traj

@@ -1,0 +1,132 @@
+#include "traj/record/tube_record.h"
+
+#include <gtest/gtest.h>
+
+#include "geom/text/json_line.h"
+#include "support/refusal.h"
+#include "traj/record/flight_report.h"
+
+namespace traj {
+namespace {
+
+// As skyway-fly writes it.
+std::string proved(const std::vector<double>& radius = {0.02, 0.03, 0.01}) {
+  FlightReport report{.id = "a", .duration = 0.3, .trajectory = "abc"};
+  report.disturbances = Disturbances{.wind = {1, 0, 0}, .wind_spread = 0.2, .gust_most = 0.5};
+  report.proved.radius = radius;
+  report.proved.largest = 0.03;
+  report.proved.tilt = 0.4;
+  report.proved.cells = 2;
+  report.provenance.vehicle = geom::Vehicle{"quad", {0.3, 0.3, 0.2}};
+  return to_json_line(report, {}, nullptr);
+}
+
+std::string with(std::string text, const std::string& part, const std::string& other) {
+  const std::size_t at = text.find(part);
+  EXPECT_NE(at, std::string::npos) << part;
+  return text.replace(at, part.size(), other);
+}
+
+std::optional<TubeRecord> tube_of(const std::string& json) {
+  return parse_tube(json, "flights", 3);
+}
+
+TEST(TubeRecord, ReadsTheProvedTubeOfAReport) {
+  const auto tube = tube_of(proved());
+  ASSERT_TRUE(tube);
+  EXPECT_EQ(tube->claim.kind, TubeKind::proved);
+  EXPECT_EQ(tube->radius, (std::vector<double>{0.02, 0.03, 0.01}));
+  EXPECT_EQ(tube->period, 0.1);
+  EXPECT_EQ(tube->claim.largest, 0.03);
+  EXPECT_EQ(tube->claim.tilt, 0.4);
+  EXPECT_EQ(tube->trajectory, "abc");
+  EXPECT_EQ(tube->claim.disturbances->gust_most, 0.5);
+  EXPECT_EQ(tube->provenance.vehicle->name, "quad");
+  EXPECT_TRUE(tube->refused.empty());
+  EXPECT_NE(in_words(tube->claim).find("proved for the simulated vehicle"), std::string::npos);
+}
+
+TEST(TubeRecord, NeverCallsTheTubeOfRunsProved) {
+  const auto tube = tube_of(
+      R"({"type":"flight","id":"a","monte_carlo":{"tube":{"share":0.999,"period":0.1,"radius":[0.2,0.3]}}})");
+  ASSERT_TRUE(tube);
+  EXPECT_EQ(tube->claim.kind, TubeKind::statistics);
+  EXPECT_EQ(tube->radius, (std::vector<double>{0.2, 0.3}));
+  EXPECT_EQ(tube->claim.largest, 0.3);
+  const std::string words = in_words(tube->claim);
+  EXPECT_NE(words.find("not proved"), std::string::npos);
+  EXPECT_EQ(words.find("proved for"), std::string::npos);
+  geom::JsonLine line;
+  add(line, tube->claim);
+  EXPECT_EQ(line.object(), R"({"kind":"statistics","largest":0.3,"tilt":0})");
+}
+
+TEST(TubeRecord, IsNothingForAFlightWithoutATube) {
+  EXPECT_FALSE(tube_of(R"({"type":"flight","id":"a"})"));
+  EXPECT_FALSE(tube_of(R"({"type":"flight","id":"a","monte_carlo":{"lost":3}})"));
+}
+
+// Else the statistics beside it would stand for the proof that was asked for.
+TEST(TubeRecord, OfARefusedProofHasNoRadius) {
+  FlightReport report{.id = "a", .duration = 0.3};
+  report.disturbances = Disturbances{};
+  report.proved.trouble = TubeTrouble{.kind = TubeTrouble::Kind::motor, .motor = 1};
+  std::string text = to_json_line(report, {}, nullptr);
+  text = with(text, R"("proved_tube")",
+              R"("monte_carlo":{"tube":{"period":0.1,"radius":[0.2]}},"proved_tube")");
+  const auto tube = tube_of(text);
+  ASSERT_TRUE(tube);
+  EXPECT_EQ(tube->refused, "motor");
+  EXPECT_TRUE(tube->radius.empty());
+}
+
+TEST(TubeRecord, RefusesProvedTubesThatCannotBe) {
+  const std::string radius = "[0.02,0.03,0.01]";
+  const std::pair<std::string, std::string> changes[] = {
+      {radius, "[0.02,null,0.01]"},
+      {radius, "[0.02,NaN,0.01]"},
+      {radius, "[0.02,1e999,0.01]"},
+      {radius, "[0.02,-0.03,0.01]"},
+      {radius, "[0.02,0.03,\"0.01\"]"},
+      {radius, "[]"},
+      {radius, "0.03"},
+      {radius, "[0.02,0.01]"},
+      {radius, "[0.02,0.04,0.01]"},
+      {"\"largest\":0.03", "\"largest\":0.02"},
+      {"\"largest\":0.03,", ""},
+      {"\"tilt\":0.4", "\"tilt\":7"},
+      {"\"tilt\":0.4,", ""},
+      {"\"period\":0.1", "\"period\":0.2"},
+      {"\"period\":0.1", "\"period\":0"},
+      {"\"trajectory\":\"abc\",", ""},
+      {"\"gust_most\":0.5", "\"gust_most\":-1"},
+      {"\"wind_spread\":0.2,", ""},
+      {"\"proved_tube\":{\"ok\":true", "\"proved_tube\":{\"ok\":1"},
+      {"\"proved_tube\":{\"ok\":true", "\"proved_tube\":{\"ok\":true,\"rain\":0.1"},
+      {"\"proved_tube\":{\"ok\":true", "\"proved_tube\":{\"ok\":false"},
+  };
+  for (const auto& [part, other] : changes) {
+    const std::string text = with(proved(), part, other);
+    EXPECT_NE(support::refusal_of([&] { tube_of(text); }).find("flights:3"), std::string::npos)
+        << part << " -> " << other;
+  }
+  const std::string whole = proved();
+  for (std::size_t n = 0; n + 2 < whole.size(); n += 7) {
+    EXPECT_NE(support::refusal_of([&] { tube_of(whole.substr(0, n)); }), "") << "cut at " << n;
+  }
+}
+
+TEST(TubeRecord, RefusesTubesOfRunsThatCannotBe) {
+  for (const char* text :
+       {"3", "{}", R"({"period":0,"radius":[1]})", R"({"period":0.1,"radius":[]})",
+        R"({"period":0.1,"radius":[-1]})", R"({"period":0.1,"radius":["1"]})",
+        R"({"period":"0.1","radius":[1]})", R"({"period":0.1,"radius":2})"}) {
+    const std::string line =
+        std::string(R"({"type":"flight","id":"a","monte_carlo":{"tube":)") + text + "}}";
+    EXPECT_NE(support::refusal_of([&] { tube_of(line); }).find("flights:3"), std::string::npos)
+        << text;
+  }
+}
+
+}  // namespace
+}  // namespace traj

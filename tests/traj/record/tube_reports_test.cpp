@@ -1,0 +1,97 @@
+#include "traj/record/tube_reports.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "support/refusal.h"
+#include "traj/curve/trajectory_hash.h"
+#include "traj/flights.h"
+#include "traj/record/flight_report.h"
+
+namespace traj {
+namespace {
+
+TrajectoryRecord plan(const std::string& id, const Vec3& to = {3, 0, 0}) {
+  TrajectoryRecord out;
+  out.id = id;
+  out.status = TrajectoryStatus::solved;
+  out.trajectory = testing::line(to, 0.95);
+  return out;
+}
+
+const geom::Vehicle kQuad{"quad", {0.3, 0.3, 0.2}};
+const geom::Provenance kOver{.frame = geom::Axes::enu, .vehicle = kQuad};
+
+FlightReport report_of(const TrajectoryRecord& flown, std::size_t periods = 10) {
+  FlightReport report{.id = flown.id, .duration = 0.95};
+  report.trajectory = trajectory_hash(flown.trajectory);
+  report.disturbances = Disturbances{.gust_most = 0.5};
+  report.proved.radius.assign(periods, 0.03);
+  report.proved.largest = 0.03;
+  report.provenance.vehicle = kQuad;
+  return report;
+}
+
+TubeReports read(const std::string& text) {
+  std::istringstream in(text);
+  return TubeReports::read(in, "tubes");
+}
+
+std::string refusal(const FlightReport& report, const TrajectoryRecord& record,
+                    const geom::Provenance& over = kOver) {
+  const TubeReports tubes = read(to_json_line(report, {}, nullptr));
+  return support::refusal_of([&] { tubes.tube_of(record, over); });
+}
+
+TEST(TubeReports, GivesTheTubeOfATrajectory) {
+  const TubeReports tubes = read(to_json_line(report_of(plan("a")), {}, nullptr) +
+                                 "{\"type\":\"flight\",\"id\":\"none\"}\n");
+  ASSERT_TRUE(tubes.tube_of(plan("a"), kOver));
+  EXPECT_EQ(tubes.tube_of(plan("a"), kOver)->radius.size(), 10u);
+  EXPECT_FALSE(tubes.tube_of(plan("none"), kOver));
+  EXPECT_FALSE(tubes.tube_of(plan("b"), kOver));
+}
+
+TEST(TubeReports, RefuseTheTubeOfAnother) {
+  const FlightReport report = report_of(plan("a"));
+  EXPECT_EQ(refusal(report, plan("a")), "");
+  EXPECT_NE(refusal(report, plan("a", {3, 1e-9, 0})).find("tubes:1: expected a tube of the tr"),
+            std::string::npos);
+  EXPECT_NE(refusal(report, plan("a"), {.frame = geom::Axes::neu}).find("axes neu"),
+            std::string::npos);
+  geom::Provenance other = kOver;
+  other.vehicle->half.x() = 0.31;
+  EXPECT_NE(refusal(report, plan("a"), other).find("half sizes [0.31, "), std::string::npos);
+  other.vehicle = geom::Vehicle{"other", kQuad.half};
+  EXPECT_NE(refusal(report, plan("a"), other).find("\"other\""), std::string::npos);
+  FlightReport nobody = report;
+  nobody.provenance.vehicle.reset();
+  EXPECT_NE(refusal(nobody, plan("a")).find("found none"), std::string::npos);
+}
+
+TEST(TubeReports, RefuseATubeThatIsShorterOrLongerThanItsTrajectory) {
+  for (const std::size_t periods : {1, 9, 11}) {
+    EXPECT_NE(refusal(report_of(plan("a"), periods), plan("a")).find("for the 0.95 s"),
+              std::string::npos)
+        << periods;
+  }
+}
+
+TEST(TubeReports, RefuseAProofThatWasRefused) {
+  FlightReport report = report_of(plan("a"));
+  report.proved.trouble = TubeTrouble{.kind = TubeTrouble::Kind::unstable};
+  const std::string why = refusal(report, plan("a"));
+  EXPECT_NE(why.find("tubes:1: expected a tube that is proved, found a proof that was refused "
+                     "(unstable)"),
+            std::string::npos)
+      << why;
+}
+
+TEST(TubeReports, RefuseASecondTubeOfOneFlight) {
+  const std::string line = to_json_line(report_of(plan("a")), {}, nullptr);
+  EXPECT_NE(support::refusal_of([&] { read(line + line); }).find("tubes:2"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace traj

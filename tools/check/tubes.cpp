@@ -1,0 +1,40 @@
+#include "tubes.h"
+
+#include "cli/file/files.h"
+#include "geom/base/error.h"
+#include "traj/check/check_tube_record.h"
+
+namespace checking {
+namespace {
+
+traj::TubeReports tubes_in(const std::string& path) {
+  cli::InputFile file(path);
+  return traj::TubeReports::read(file.stream(), file.name());
+}
+
+}  // namespace
+
+Tubes::Tubes(const std::string& file, const cli::Scenes& scenes, double margin)
+    : profile_(scenes.profile()),
+      margin_(margin),
+      tubes_(tubes_in(file)),
+      scenes_(scenes.map(), {}, geom::Differences::refused, scenes.budget()) {}
+
+traj::TubeReport Tubes::check(const geom::CollisionScene& scene,
+                              const traj::TrajectoryRecord& record) const {
+  geom::Provenance room = geom::provenance_of(scene);
+  const traj::TubeRecord* const tube = tubes_.tube_of(record, room);
+  if (!tube) {
+    throw geom::InputError(tubes_.source(),
+                           {.expected = "a tube of each trajectory",
+                            .found = "none of " + geom::in_quotes(record.id),
+                            .advice = "skyway-fly --proved-tube or --runs writes it"});
+  }
+  std::optional<geom::Vec3> body;
+  if (profile_ && profile_->vehicle.half == scene.vehicle().half) body = profile_->body;
+  room.margin = margin_;
+  const auto around = scenes_.shared_scene_for(room, tubes_.source(), 0);
+  return traj::check_in_tube(*around, record, *tube, body);
+}
+
+}  // namespace checking
