@@ -10,6 +10,7 @@
 #include "geom/text/counted.h"
 #include "geom/text/record_lines.h"
 #include "traj/curve/to_enu.h"
+#include "traj/tube/tube_certificate.h"
 
 namespace traj {
 namespace {
@@ -154,11 +155,18 @@ void SimulatedFlights::add_proof(const Entry& entry, const ReferenceTrack& track
                                  const geom::Execution& run, FlightReport& report) {
   report.disturbances = options_.disturbances;
   report.proved = prove_tube(track, options_.flight, *options_.disturbances, run);
+  if (options_.certificate) report.proved = with_room(std::move(report.proved));
   if (options_.tube && !report.proved.trouble) {
     report.proved_check =
         check_tube(scene_for(entry), entry.record.trajectory,
                    at_tilt(report.proved.radius, report.proved.tilt), kTubePeriod);
   }
+}
+
+std::string SimulatedFlights::certificate_of(const Entry& entry, const FlightReport& report) const {
+  if (!options_.certificate || report.proved.trouble) return {};
+  return tube_certificate_line(entry.record.id, axes(entry),
+                               {options_.flight, *options_.disturbances}, report.proved);
 }
 
 std::vector<std::vector<RunOutcome>> SimulatedFlights::fly_runs(const geom::Shard& shard,
@@ -213,7 +221,7 @@ void SimulatedFlights::fly(const geom::Execution& run,
     for (std::size_t i = 0; i < block.size(); ++i) {
       const Entry& entry = entries_[first + i];
       const ReferenceTrack* track = block[i].track ? &*block[i].track : nullptr;
-      SimulatedFlight out{report_of(entry, track, block[i].flight), {}, {}, block[i].cpu};
+      SimulatedFlight out{report_of(entry, track, block[i].flight), {}, {}, {}, block[i].cpu};
       if (track && options_.spread) {
         add_runs(entry,
                  joined_ ? joined_->outcomes(solved, track->duration())
@@ -223,6 +231,7 @@ void SimulatedFlights::fly(const geom::Execution& run,
       }
       if (track && options_.disturbances) {
         add_proof(entry, *track, {run.threads, {}}, out.report);
+        out.certificate = certificate_of(entry, out.report);
       }
       solved += track != nullptr;
       out.log = {entry.record.id, map_of(entry), std::move(block[i].flight.samples)};

@@ -35,6 +35,9 @@ class PeriodSymbols {
 
   LoopState<TaylorModel> state(const ErrorVector& middle) const;
 
+  // What each symbol's size is: a bound of its coordinate.
+  const ErrorVector& scale() const { return scale_; }
+
   // By the coordinates of the state.
   ErrorVector slopes(const TaylorModel& m) const;
 

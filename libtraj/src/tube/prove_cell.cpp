@@ -142,8 +142,18 @@ class CellProof {
     }
   }
 
+  void note_bounds(long n, const ErrorVector& scale) {
+    const auto span = static_cast<std::size_t>((n + before_) / loop_.period / kSpanPeriods);
+    if (out_.bounds.size() <= span) out_.bounds.resize(span + 1, SpanBounds{});
+    SpanBounds& bounds = out_.bounds[span];
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+      bounds[i] = std::max(bounds[i], scale[static_cast<Eigen::Index>(i)]);
+    }
+  }
+
   void advance(long n) {
     const PeriodSymbols symbols(loop_.model, errors_);
+    note_bounds(n, symbols.scale());
     const Reference next = reference(n + loop_.period);
     const LoopStep<TaylorModel> step = loop_step(loop_, symbols.state(middle_), {now_, next});
     look_for_saturation(n, symbols, step);

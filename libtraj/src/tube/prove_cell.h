@@ -16,12 +16,14 @@ struct TubeCell {
   Vec3 wind_half = Vec3::Zero();  // or, where that is 0, in a box of these half sizes
   double mass_least = 1;          // true mass over what is believed
   double mass_most = 1;
+  std::vector<int> part;  // as ProvedCell's
 };
 
 struct CellTube {
   std::vector<double> radius;          // m, of each kTubePeriod
   double tilt = 0;                     // rad: it never tilts further
   double damping = 1;                  // the least damping ratio of the loop in hover
+  std::vector<SpanBounds> bounds;      // as ProvedCell's
   std::optional<TubeTrouble> trouble;  // then the rest is not complete
 };
 

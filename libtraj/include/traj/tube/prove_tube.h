@@ -13,6 +13,7 @@
 //
 // docs/tube.md states the model and derives the bounds.
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -47,12 +48,29 @@ inline constexpr geom::Words<TubeTrouble::Kind, 4> kTubeTroubleWords{{
     {TubeTrouble::Kind::steps, "steps"},  // a millisecond is too coarse for the vehicle
 }};
 
+// Periods of the attitude loop, from the start of the hovering on, that share their bounds.
+inline constexpr int kSpanPeriods = 25;
+
+// Bounds on how far the state is from the nominal flight of a cell, in the order of docs/tube.md:
+// lift, velocity, lag, heading, rates, spin, filtered, turned, and the acceleration that lift and
+// drag give together (without drag: the gust).
+using SpanBounds = std::array<double, 25>;
+
+// A part of the winds and masses, and the bounds that its proof used.
+struct ProvedCell {
+  // Empty: all. Each number says which part of the one before: bits 0 to 2 are set for the upper
+  // half of the winds east, north and up, bit 3 for that of the masses.
+  std::vector<int> part;
+  std::vector<SpanBounds> bounds;  // in each span of kSpanPeriods
+};
+
 struct ProvedTube {
   std::vector<double> radius;  // m, in each kTubePeriod (as TrackingTube's); empty without a proof
   double largest = 0;          // m
   double tilt = 0;             // rad: it never tilts further
   std::size_t cells = 0;       // parts of the winds and masses that were proved one by one
-  double damping = 1;          // the least damping ratio of the loop in hover
+  std::vector<ProvedCell> proofs;  // of the cells: what a certificate says
+  double damping = 1;              // the least damping ratio of the loop in hover
   std::optional<TubeTrouble> trouble;
 };
 
