@@ -154,7 +154,8 @@ void SimulatedFlights::add_runs(const Entry& entry, std::span<const RunOutcome> 
 void SimulatedFlights::add_proof(const Entry& entry, const ReferenceTrack& track,
                                  const geom::Execution& run, FlightReport& report) {
   report.disturbances = options_.disturbances;
-  report.proved = prove_tube(track, options_.flight, *options_.disturbances, run);
+  report.proved = prove_tube(track, options_.flight, *options_.disturbances, run,
+                             {.by_spans = options_.certificate});
   if (options_.certificate) report.proved = with_room(std::move(report.proved));
   if (options_.tube && !report.proved.trouble) {
     report.proved_check =

@@ -10,7 +10,7 @@ namespace traj {
 namespace {
 
 TubeCell whole(const Disturbances& d) {
-  return {d.wind, d.wind_spread, Vec3::Zero(), 1 - d.mass_error, 1 + d.mass_error, {}};
+  return {d.wind, d.wind_spread, Vec3::Zero(), 1 - d.mass_error, 1 + d.mass_error, {}, {}};
 }
 
 // Whether some wind of the box is allowed.
@@ -63,12 +63,13 @@ ProvedTube prove_tube(const ReferenceTrack& track, const FlightOptions& options,
   assert(options.hover >= kStep && options.law == ControlLaw::geometric &&
          options.periods.attitude >= 1 && options.periods.attitude <= 4);
   ProvedTube out;
+  const auto prove = tube.by_spans ? prove_by_spans : prove_cell;
   std::vector<TubeCell> cells = {whole(d)};
   bool first = true;
   while (!cells.empty()) {
     std::vector<CellTube> proved(cells.size());
     geom::parallel_for(cells.size(), run,
-                       [&](std::size_t i) { proved[i] = prove_cell(track, options, d, cells[i]); });
+                       [&](std::size_t i) { proved[i] = prove(track, options, d, cells[i]); });
     std::vector<TubeCell> next;
     std::optional<TubeTrouble> trouble;
     bool divisible = true;  // no failed cell that cannot be halved

@@ -13,8 +13,7 @@ namespace {
 
 using geom::JsonLine;
 
-constexpr double kBoundRoom = 1.05;
-constexpr double kRadiusRoom = 1.02;
+constexpr double kRoom = 1.02;
 
 double read(const std::string& text) {
   double out = 0;
@@ -47,13 +46,13 @@ JsonLine object_of(const GeometricGains& k) {
 }  // namespace
 
 ProvedTube with_room(ProvedTube tube) {
-  for (double& radius : tube.radius) radius = rounded_up(kRadiusRoom * radius);
+  for (double& radius : tube.radius) radius = rounded_up(kRoom * radius);
   tube.largest =
       tube.radius.empty() ? 0 : *std::max_element(tube.radius.begin(), tube.radius.end());
-  tube.tilt = rounded_up(kRadiusRoom * tube.tilt);
+  tube.tilt = rounded_up(kRoom * tube.tilt);
   for (ProvedCell& cell : tube.proofs) {
     for (SpanBounds& bounds : cell.bounds) {
-      for (double& bound : bounds) bound = rounded_up(kBoundRoom * bound);
+      for (double& bound : bounds) bound = rounded_up(bound);
     }
   }
   return tube;
