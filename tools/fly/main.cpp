@@ -36,26 +36,39 @@ Inputs inputs_of(const std::vector<std::string>& files) {
   return zip ? Inputs{files[0], "-"} : Inputs{"", files[0]};
 }
 
+// The files to write; empty: not asked for.
+struct Outputs {
+  std::string log = "-";  // or gains
+  std::string report;
+  std::string certificate;
+};
+
 // What must not be asked together.
 void check_usage(const fly::Options& options, const Inputs& inputs, const cli::Sharding& sharding,
-                 const std::string& report) {
+                 const Outputs& outputs) {
   cli::at_most_one_stdin({inputs.map, inputs.trajectories});
   const bool tube = options.runs > 0 || options.proved_tube;
   if (options.tube && (!tube || inputs.map.empty())) {
     throw cli::UsageError("--clear-tube needs a map and --runs or --proved-tube");
   }
-  if (options.tune && (tube || !report.empty())) {
+  const bool reports = !outputs.report.empty() || !outputs.certificate.empty();
+  if (options.tune && (tube || reports)) {
     throw cli::UsageError(
-        "--tune writes gains: it takes neither --runs nor --proved-tube nor --report-file");
+        "--tune writes gains: it takes neither --runs nor --proved-tube nor --report-file nor "
+        "--certificate");
   }
-  if (options.proved_tube && report.empty()) {
-    throw cli::UsageError("--proved-tube: give --report-file, which gets the radius");
+  if (options.proved_tube && !reports) {
+    throw cli::UsageError(
+        "--proved-tube: give --report-file or --certificate, which get the radius");
+  }
+  if (!outputs.certificate.empty() && !options.proved_tube) {
+    throw cli::UsageError("--certificate: give --proved-tube, of whose proof it is");
   }
   if (options.proved_tube && sharding.asked() && options.runs > 0) {
     throw cli::UsageError(
         "a shard of --runs proves nothing: give --proved-tube later, with --join");
   }
-  if (options.runs > 0 && sharding.asked() && !report.empty()) {
+  if (options.runs > 0 && sharding.asked() && reports) {
     throw cli::UsageError(
         "a shard of --runs has no output but -o: give --report-file later, with --join");
   }
@@ -107,10 +120,13 @@ void write_runs(const cli::Common& common, const traj::SimulatedFlights& mission
 // Log and reports of what is flown, and what it came to.
 class Flights {
  public:
-  Flights(const std::string& output, const std::string& report, const cli::Sharding& sharding,
-          const traj::Airframe& airframe, const geom::BoxMap* map)
-      : out_(output, "output", sharding), airframe_(airframe), map_(map) {
-    if (!report.empty()) told_.emplace(report, "report-file", sharding);
+  Flights(const Outputs& outputs, const cli::Sharding& sharding, const traj::Airframe& airframe,
+          const geom::BoxMap* map)
+      : out_(outputs.log, "output", sharding), airframe_(airframe), map_(map) {
+    if (!outputs.report.empty()) told_.emplace(outputs.report, "report-file", sharding);
+    if (!outputs.certificate.empty()) {
+      certificates_.emplace(outputs.certificate, "certificate", sharding);
+    }
     std::ostringstream head;
     traj::write_flight_log_header(head);
     out_.head(head.str());
@@ -121,6 +137,7 @@ class Flights {
     traj::write_flight(rows, flight.log);
     out_.add(rows.str());
     if (told_) told_->add(traj::to_json_line(flight.report, airframe_, map_));
+    if (certificates_) certificates_->add(flight.certificate);
     ++records_;
     if (flight.seconds) {
       flown_ += *flight.seconds;
@@ -140,6 +157,7 @@ class Flights {
     const cli::Exit exit = failed_ ? cli::Exit::no : cli::Exit::yes;
     out_.commit(total, exit);
     if (told_) told_->commit(total, exit);
+    if (certificates_) certificates_->commit(total, exit);
     batch_.tell(common, "skyway-fly", "flights failed");
     common.write_stats({{"records", records_},
                         {"failed", failed_},
@@ -152,6 +170,7 @@ class Flights {
  private:
   cli::RecordOutput out_;
   std::optional<cli::RecordOutput> told_;
+  std::optional<cli::RecordOutput> certificates_;
   const traj::Airframe& airframe_;
   const geom::BoxMap* map_;
   cli::Batch batch_;
@@ -161,12 +180,13 @@ class Flights {
   double cpu_ = 0;    // s that simulating it took, of all threads
 };
 
-traj::SimulationOptions simulation(const fly::Options& options,
-                                   const cli::VehicleOptions& vehicle) {
+traj::SimulationOptions simulation(const fly::Options& options, const cli::VehicleOptions& vehicle,
+                                   bool certificate) {
   const traj::VehicleProfile profile = *vehicle.profile();
   traj::SimulationOptions out{profile, options.flight(profile)};
   if (options.runs > 0) out.spread = options.spread();
   if (options.proved_tube) out.disturbances = options.disturbances(out.flight);
+  out.certificate = certificate;
   out.tube = options.tube;
   out.log_period = options.log_period();
   out.clock = geom::thread_seconds;
@@ -181,14 +201,15 @@ int main(int argc, char** argv) {
   cli::VehicleOptions vehicle;
   fly::Options options;
   std::vector<std::string> files;
-  std::string output = "-";
-  std::string report;
+  Outputs outputs;
   app.add_option("map_and_file", files,
                  "box map, then trajectories (default: stdin); without a map, trajectories alone")
       ->expected(0, 2);
-  cli::add_output(app, "-o,--output", output,
+  cli::add_output(app, "-o,--output", outputs.log,
                   "flight log, CSV; with --tune gains (default: stdout)");
-  cli::add_output(app, "--report-file", report, "reports of the flights, JSON Lines");
+  cli::add_output(app, "--report-file", outputs.report, "reports of the flights, JSON Lines");
+  cli::add_output(app, "--certificate", outputs.certificate,
+                  "with --proved-tube: why each tube holds, JSON Lines (docs/certificates.md)");
   vehicle.add_to(app);
   vehicle.add_memory_to(app);
   options.add_to(app);
@@ -199,12 +220,14 @@ int main(int argc, char** argv) {
       ->expected(1, -1);
   return cli::run_tool(app, argc, argv, [&] {
     const Inputs inputs = inputs_of(files);
-    check_usage(options, inputs, sharding, report);
+    check_usage(options, inputs, sharding, outputs);
     check_needs(app, options, inputs);
     if (vehicle.word.empty())
       throw cli::UsageError("no vehicle: give --vehicle, such as tello or FILE.json");
     sharding.begin(app, {{"map", inputs.map}, {"trajectories", inputs.trajectories}},
-                   {{"output", output}, {"report-file", report}});
+                   {{"output", outputs.log},
+                    {"report-file", outputs.report},
+                    {"certificate", outputs.certificate}});
     std::optional<geom::BoxMap> map;
     if (!inputs.map.empty()) {
       map = cli::open_map(inputs.map, geom::Verified::contents, common.execution("verify"));
@@ -216,7 +239,8 @@ int main(int argc, char** argv) {
     cli::VehicleOptions flown = vehicle;
     flown.margin = vehicle.margin.value_or(0);  // a record's was kept for what happens here
     if (map) scenes.emplace(*map, flown, cli::Scenes::Differences::allowed);
-    const traj::SimulationOptions asked = simulation(options, vehicle);
+    const traj::SimulationOptions asked =
+        simulation(options, vehicle, !outputs.certificate.empty());
     traj::SimulatedFlights mission(asked, scenes ? &*scenes : nullptr);
     cli::InputFile file(inputs.trajectories);
     const std::size_t total =
@@ -226,13 +250,13 @@ int main(int argc, char** argv) {
                      });
     if (!shards.empty()) mission.take(traj::JoinedRuns(std::move(shards)));
     if (!options.tune && !runs_only) {
-      Flights flights(output, report, sharding, asked.profile.airframe, mission.map());
+      Flights flights(outputs, sharding, asked.profile.airframe, mission.map());
       mission.fly(common.execution("flights"),
                   [&](const traj::SimulatedFlight& flight) { flights.add(flight); });
       return flights.commit(common, total);
     }
-    if (options.tune) write_gains(common, mission, options, output);
-    if (runs_only) write_runs(common, mission, sharding, options.runs, output);
+    if (options.tune) write_gains(common, mission, options, outputs.log);
+    if (runs_only) write_runs(common, mission, sharding, options.runs, outputs.log);
     return cli::Exit::yes;
   });
 }

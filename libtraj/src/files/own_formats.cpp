@@ -78,10 +78,11 @@ constinit const Format kCorridors{.what = "a stream of corridors",
                                   .readers = kCorridorTools};
 constinit const Format kCertificates{
     .what = "a stream of certificates",
-    .begins = geom::any_of<geom::json_of_type<"certificate">, geom::json_of_type<"enclosure">,
-                           geom::json_of_type<"bound">, geom::json_of_type<"apart">,
-                           geom::json_of_type<"clear_of">, geom::json_of_type<"returns">,
-                           geom::json_of_type<"contingencies">>,
+    .begins =
+        geom::any_of<geom::json_of_type<"certificate">, geom::json_of_type<"enclosure">,
+                     geom::json_of_type<"bound">, geom::json_of_type<"apart">,
+                     geom::json_of_type<"clear_of">, geom::json_of_type<"returns">,
+                     geom::json_of_type<"contingencies">, geom::json_of_type<"tube_certificate">>,
     .readers = kInfo};
 constinit const Format kReports{
     .what = "a stream of reports",

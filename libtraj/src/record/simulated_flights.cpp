@@ -12,6 +12,7 @@
 #include "traj/curve/to_enu.h"
 #include "traj/curve/trajectory_hash.h"
 #include "traj/flight/tilted_radius.h"
+#include "traj/tube/tube_certificate.h"
 
 namespace traj {
 namespace {
@@ -149,12 +150,20 @@ void SimulatedFlights::add_proof(const Entry& entry, const ReferenceTrack& track
                                  const geom::Execution& run, FlightReport& report) {
   report.disturbances = options_.disturbances;
   report.provenance.vehicle = options_.profile.vehicle;  // the one that it is proved for
-  report.proved = prove_tube(track, options_.flight, *options_.disturbances, run);
+  report.proved = prove_tube(track, options_.flight, *options_.disturbances, run,
+                             {.by_spans = options_.certificate});
+  if (options_.certificate) report.proved = with_room(std::move(report.proved));
   if (options_.tube && !report.proved.trouble) {
     report.proved_check =
         check_tube(scene_for(entry), entry.record.trajectory,
                    at_tilt(report.proved.radius, report.proved.tilt), kTubePeriod);
   }
+}
+
+std::string SimulatedFlights::certificate_of(const Entry& entry, const FlightReport& report) const {
+  if (!options_.certificate || report.proved.trouble) return {};
+  return tube_certificate_line(entry.record.id, axes(entry),
+                               {options_.flight, *options_.disturbances}, report.proved);
 }
 
 std::vector<std::vector<RunOutcome>> SimulatedFlights::fly_runs(const geom::Shard& shard,
@@ -209,7 +218,7 @@ void SimulatedFlights::fly(const geom::Execution& run,
     for (std::size_t i = 0; i < block.size(); ++i) {
       const Entry& entry = entries_[first + i];
       const ReferenceTrack* track = block[i].track ? &*block[i].track : nullptr;
-      SimulatedFlight out{report_of(entry, track, block[i].flight), {}, {}, block[i].cpu};
+      SimulatedFlight out{report_of(entry, track, block[i].flight), {}, {}, {}, block[i].cpu};
       if (track && options_.spread) {
         add_runs(entry,
                  joined_ ? joined_->outcomes(solved, track->duration())
@@ -219,6 +228,7 @@ void SimulatedFlights::fly(const geom::Execution& run,
       }
       if (track && options_.disturbances) {
         add_proof(entry, *track, {run.threads, {}}, out.report);
+        out.certificate = certificate_of(entry, out.report);
       }
       solved += track != nullptr;
       out.log = {entry.record.id, map_of(entry), std::move(block[i].flight.samples)};

@@ -7,19 +7,35 @@ namespace {
 constexpr double kLeastScale = 1e-9;
 constexpr double kRounding = 1e-12;  // far above what dividing by the scales loses
 
-}  // namespace
+double drag_of(const Quadrotor& model) { return model.drag.x() / model.mass; }  // 1/s
 
-PeriodSymbols::PeriodSymbols(const Quadrotor& model, const ErrorSet& errors)
-    : drag_(model.drag.x() / model.mass), scale_(errors.bounds().cwiseMax(kLeastScale)) {
-  if (drag_ == 0) return;
+// What the symbols are of the coordinates.
+ErrorMatrix mix_of(double drag) {
+  ErrorMatrix mix = ErrorMatrix::Identity();
   for (int i = 0; i < 3; ++i) {
     const int row = kGust + i;
-    mix_(row, i) = 1;
-    mix_(row, kVelocity + i) = -drag_;
-    mix_(row, row) = drag_;
-    mix_(row, kWind + i) = drag_;
-    scale_[row] = std::max(errors.bound(mix_.row(row).transpose()), kLeastScale);
+    mix(row, i) = 1;
+    mix(row, kVelocity + i) = -drag;
+    mix(row, row) = drag;
+    mix(row, kWind + i) = drag;
   }
+  return mix;
+}
+
+}  // namespace
+
+ErrorVector symbol_sizes(const Quadrotor& model, const ErrorSet& errors) {
+  ErrorVector out = errors.bounds();
+  const double drag = drag_of(model);
+  if (drag == 0) return out;
+  const ErrorMatrix mix = mix_of(drag);
+  for (int row = kGust; row < kWind; ++row) out[row] = errors.bound(mix.row(row).transpose());
+  return out;
+}
+
+PeriodSymbols::PeriodSymbols(const Quadrotor& model, const ErrorVector& sizes)
+    : drag_(drag_of(model)), scale_(sizes.cwiseMax(kLeastScale)) {
+  if (drag_ != 0) mix_ = mix_of(drag_);
 }
 
 LoopState<TaylorModel> PeriodSymbols::state(const ErrorVector& middle) const {

@@ -9,6 +9,8 @@ namespace traj {
 
 // Rows of the state.
 inline constexpr int kVelocity = 3;
+inline constexpr int kSpin = 13;
+inline constexpr int kTurned = 19;
 inline constexpr int kGust = 22;
 inline constexpr int kWind = 25;
 inline constexpr int kLightness = 28;
@@ -26,12 +28,16 @@ struct PeriodMap {
   }
 };
 
-// The symbols of a period, for all deviations of a set. They are the coordinates of the state, but
-// for the gust. In its place stands the acceleration that lift and drag give together: they nearly
-// balance, so its bound is far below theirs.
+// Bounds, over all deviations of a set, of what the symbols of a period stand for. They are the
+// coordinates of the state, but for the gust. In its place stands the acceleration that lift and
+// drag give together: they nearly balance, so its bound is far below theirs.
+ErrorVector symbol_sizes(const Quadrotor& model, const ErrorSet& errors);
+
+// The symbols of a period.
 class PeriodSymbols {
  public:
-  PeriodSymbols(const Quadrotor& model, const ErrorSet& errors);
+  // `sizes`: what the symbols' coordinates are at most.
+  PeriodSymbols(const Quadrotor& model, const ErrorVector& sizes);
 
   LoopState<TaylorModel> state(const ErrorVector& middle) const;
 

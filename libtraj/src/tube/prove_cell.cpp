@@ -16,6 +16,7 @@ constexpr double kPi = 3.141592653589793;
 // The simulator may differ from the equations by this much in each coordinate and period, in the
 // coordinate's unit (docs/tube.md).
 constexpr double kSlack = 1e-9;
+constexpr double kSpinSlack = 1e-7;  // of angular accelerations, which are larger numbers
 constexpr double kAgreement = 1e-9;  // m, of the middle's flight with the simulator's
 
 class CellProof {
@@ -41,6 +42,7 @@ class CellProof {
   }
 
   CellTube prove() {
+    look_at_weight();
     for (long n = -before_; n <= steps_ && !out_.trouble; n += loop_.period) advance(n);
     if (!out_.trouble) compare_with_simulator();
     return std::move(out_);
@@ -74,6 +76,17 @@ class CellProof {
     held.intervals.conservativeResize(Eigen::NoChange, held.intervals.cols() + 1);
     held.intervals.rightCols<1>() = mass;
     return ErrorSet(std::move(held), box);
+  }
+
+  // At rest the motors hold the true weight, or as much of it as they can.
+  void look_at_weight() {
+    const Quadrotor& q = loop_.model;
+    const double share = q.mass * geom::kGravity / 4;
+    const double room =
+        std::min(q.motor_most - cell_.mass_most * share, cell_.mass_least * share - q.motor_least);
+    if (room > 0) return;
+    out_.trouble =
+        TubeTrouble{TubeTrouble::Kind::motor, 1, static_cast<double>(-before_) * kStep, room};
   }
 
   static double named(const TaylorModel& m) {
@@ -127,7 +140,8 @@ class CellProof {
 
   void note_radius(long n, double radius) {
     const auto period = [&](long step) {
-      const auto k = static_cast<std::size_t>(static_cast<double>(step) * kStep / kTubePeriod);
+      const double at = static_cast<double>(std::max(step, 0L)) * kStep;
+      const auto k = static_cast<std::size_t>(at / kTubePeriod);
       return std::min(k, out_.radius.size() - 1);
     };
     for (std::size_t k = period(n); k <= period(n + loop_.period); ++k) {
@@ -142,13 +156,27 @@ class CellProof {
     }
   }
 
+  // Notes the bounds of this period, and gives those that count.
+  ErrorVector sizes(long n) {
+    ErrorVector out = symbol_sizes(loop_.model, errors_);
+    const auto span = static_cast<std::size_t>((n + before_) / loop_.period / kSpanPeriods);
+    if (out_.bounds.size() <= span) out_.bounds.resize(span + 1, SpanBounds{});
+    Eigen::Map<Eigen::Matrix<double, kSpanBounds, 1>> bounds(out_.bounds[span].data());
+    bounds = bounds.cwiseMax(out.head<kSpanBounds>());
+    if (!cell_.bounds.empty()) {
+      out.head<kSpanBounds>() =
+          Eigen::Map<const Eigen::Matrix<double, kSpanBounds, 1>>(cell_.bounds[span].data());
+    }
+    return out;
+  }
+
   void advance(long n) {
-    const PeriodSymbols symbols(loop_.model, errors_);
+    const PeriodSymbols symbols(loop_.model, sizes(n));
     const Reference next = reference(n + loop_.period);
     const LoopStep<TaylorModel> step = loop_step(loop_, symbols.state(middle_), {now_, next});
     look_for_saturation(n, symbols, step);
     if (out_.trouble) return;
-    if (n >= 0) {
+    if (n + loop_.period > 0) {
       note_radius(n, radius(n, step));
       note_tilt(step);
     }
@@ -162,7 +190,7 @@ class CellProof {
     }
     for (int i = 0; i < kWind; ++i) {
       middle_[i] = period.middle[i];
-      period.added.box[i] += kSlack;
+      period.added.box[i] += i >= kSpin && i < kTurned ? kSpinSlack : kSlack;
     }
     if (n == -before_ && !settles(period.map)) {
       out_.trouble = TubeTrouble{TubeTrouble::Kind::unstable, 0, static_cast<double>(n) * kStep, 0};

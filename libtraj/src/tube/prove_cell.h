@@ -16,16 +16,25 @@ struct TubeCell {
   Vec3 wind_half = Vec3::Zero();  // or, where that is 0, in a box of these half sizes
   double mass_least = 1;          // true mass over what is believed
   double mass_most = 1;
+  std::vector<int> part;  // as ProvedCell's
+  // What deviations are taken to be at most, in each span; empty: what they are.
+  std::vector<SpanBounds> bounds;
 };
 
 struct CellTube {
   std::vector<double> radius;          // m, of each kTubePeriod
   double tilt = 0;                     // rad: it never tilts further
   double damping = 1;                  // the least damping ratio of the loop in hover
+  std::vector<SpanBounds> bounds;      // of the deviations, as ProvedCell's
   std::optional<TubeTrouble> trouble;  // then the rest is not complete
 };
 
 CellTube prove_cell(const ReferenceTrack& track, const FlightOptions& options,
                     const Disturbances& disturbances, const TubeCell& cell);
+
+// The same for a certificate, whose bounds hold for spans: deviations stay within them by several
+// per cent, even if they are taken to be as large.
+CellTube prove_by_spans(const ReferenceTrack& track, const FlightOptions& options,
+                        const Disturbances& disturbances, const TubeCell& cell);
 
 }  // namespace traj

@@ -10,7 +10,7 @@ namespace traj {
 namespace {
 
 TubeCell whole(const Disturbances& d) {
-  return {d.wind, d.wind_spread, Vec3::Zero(), 1 - d.mass_error, 1 + d.mass_error};
+  return {d.wind, d.wind_spread, Vec3::Zero(), 1 - d.mass_error, 1 + d.mass_error, {}, {}};
 }
 
 // Whether some wind of the box is allowed.
@@ -28,6 +28,7 @@ std::vector<TubeCell> parts(const TubeCell& cell, const Disturbances& d) {
     TubeCell part = cell;
     part.wind_radius = 0;
     part.wind_half = 0.5 * half;
+    part.part.push_back(k);
     for (int i = 0; i < 3; ++i) part.wind[i] += (k >> i & 1 ? 0.5 : -0.5) * half[i];
     (k & 8 ? part.mass_least : part.mass_most) = middle;
     const bool same_wind = half.isZero() && (k & 7);
@@ -37,7 +38,7 @@ std::vector<TubeCell> parts(const TubeCell& cell, const Disturbances& d) {
   return out;
 }
 
-void add(ProvedTube& tube, const CellTube& cell) {
+void add(ProvedTube& tube, const TubeCell& part, CellTube&& cell) {
   tube.radius.resize(cell.radius.size(), 0);
   for (std::size_t k = 0; k < cell.radius.size(); ++k) {
     tube.radius[k] = std::max(tube.radius[k], cell.radius[k]);
@@ -45,6 +46,7 @@ void add(ProvedTube& tube, const CellTube& cell) {
   tube.damping = std::min(tube.damping, cell.damping);
   tube.tilt = std::max(tube.tilt, cell.tilt);
   ++tube.cells;
+  tube.proofs.push_back({part.part, std::move(cell.bounds)});
 }
 
 // The middle alone: if its gusts are too much, no smaller cells help.
@@ -61,18 +63,19 @@ ProvedTube prove_tube(const ReferenceTrack& track, const FlightOptions& options,
   assert(options.hover >= kStep && options.law == ControlLaw::geometric &&
          options.periods.attitude >= 1 && options.periods.attitude <= 4);
   ProvedTube out;
+  const auto prove = tube.by_spans ? prove_by_spans : prove_cell;
   std::vector<TubeCell> cells = {whole(d)};
   bool first = true;
   while (!cells.empty()) {
     std::vector<CellTube> proved(cells.size());
     geom::parallel_for(cells.size(), run,
-                       [&](std::size_t i) { proved[i] = prove_cell(track, options, d, cells[i]); });
+                       [&](std::size_t i) { proved[i] = prove(track, options, d, cells[i]); });
     std::vector<TubeCell> next;
     std::optional<TubeTrouble> trouble;
     bool divisible = true;  // no failed cell that cannot be halved
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (!proved[i].trouble) {
-        add(out, proved[i]);
+        add(out, cells[i], std::move(proved[i]));
         continue;
       }
       if (!trouble) trouble = proved[i].trouble;
@@ -91,6 +94,7 @@ ProvedTube prove_tube(const ReferenceTrack& track, const FlightOptions& options,
       out.trouble = trouble;
       out.damping = std::min(out.damping, proved.front().damping);
       out.radius.clear();
+      out.proofs.clear();
       return out;
     }
     cells = std::move(next);

@@ -46,6 +46,7 @@ TEST(Recognise, NamesStreamsByTheTypeOfTheirFirstRecord) {
             "a stream of certificates");
   EXPECT_EQ(what(R"({"type":"contingencies","id":"a"})"), "a stream of certificates");
   EXPECT_EQ(what(R"({"type":"returns","id":"a"})"), "a stream of certificates");
+  EXPECT_EQ(what(R"({"type":"tube_certificate","id":"a"})"), "a stream of certificates");
   EXPECT_EQ(what(R"({"type":"pair","ids":["a","b"]})"), "a stream of reports");
   EXPECT_EQ(what(R"({"type":"query","from":[0,0,0],"to":[1,0,0]})"), "a stream of queries");
   EXPECT_EQ(what(R"({"type":"FeatureCollection","features":[{"properties":{"type":"tree"}}]})"),

@@ -52,7 +52,7 @@ TEST(PeriodSymbols, MapEveryDeviation) {
       ErrorVector middle = 0.5 * ErrorVector::Random().cwiseProduct(sizes());
       middle.head<3>() = Vec3(1, 0.5, 9.8);
       middle[kLightness] = 1;
-      const PeriodSymbols symbols(loop.model, errors);
+      const PeriodSymbols symbols(loop.model, symbol_sizes(loop.model, errors));
       const PeriodMap period =
           symbols.map(loop_step(loop, symbols.state(middle), references).state);
       ASSERT_TRUE(period.finite());
@@ -84,7 +84,7 @@ TEST(PeriodSymbols, KnowWhatGustsDoMeanwhile) {
   ErrorVector middle = ErrorVector::Zero();
   middle[2] = 9.80665;
   middle[kLightness] = 1;
-  const PeriodSymbols symbols(loop.model, errors);
+  const PeriodSymbols symbols(loop.model, symbol_sizes(loop.model, errors));
   const PeriodMap period = symbols.map(loop_step(loop, symbols.state(middle), {}).state);
   double moved = 0;
   for (int j = 0; j < 4; ++j)

@@ -118,6 +118,40 @@ TEST(ProveTube, SaysWhyThereIsNone) {
   EXPECT_LE(saturated.trouble->room, 0);
 }
 
+// At rest the motors would hold the true weight. The simulator clips what they cannot.
+TEST(ProveTube, KnowsThatMotorsMustHoldTheWeightAtRest) {
+  FlightOptions options = flight_of("quad2kg");
+  options.hover = 0.001;
+  options.settle = 0;
+  const double weight = options.quadrotor.mass * geom::kGravity / 4;
+  options.quadrotor.motor_most = 1.05 * weight;
+  const ReferenceTrack track(testing::line({0, 0, 0}, 0.002));
+  EXPECT_FALSE(prove_tube(track, options, {.mass_error = 0.001}, {}, {1}).trouble);
+  const ProvedTube heavy = prove_tube(track, options, {.mass_error = 0.06}, {}, {1});
+  ASSERT_TRUE(heavy.trouble);
+  EXPECT_EQ(heavy.trouble->kind, TubeTrouble::Kind::motor);
+  EXPECT_NEAR(heavy.trouble->room, -0.01 * weight, 1e-9);
+}
+
+// The first period of the attitude loop may begin before the trajectory and end in it.
+TEST(ProveTube, HoldsTheFirstStepsWhereAPeriodBeginsBeforeThem) {
+  State a, b;
+  a.velocity = {0.5, 0, 0};
+  b.position = {0.01, 0, 0};
+  const ReferenceTrack track({{hermite(a, b, 0.02)}});
+  FlightOptions options = flight_of("quad2kg");
+  options.hover = 0.001;
+  options.settle = 0;
+  const ProvedTube tube = prove_tube(track, options, {}, {});
+  ASSERT_FALSE(tube.trouble);
+  const Flight flight = simulate(track, options, {.path = true});
+  std::size_t cursor = 0;
+  for (std::size_t n = 0; n < flight.path.size(); ++n) {
+    const Vec3 wanted = track.at(static_cast<double>(n) * kStep, cursor).position;
+    EXPECT_LE((flight.path[n] - wanted).norm(), tube.radius[0]) << n;
+  }
+}
+
 TEST(ProveTube, ProvesCellsOneByOneAndTheSameOnAnyThreads) {
   FlightOptions options = flight_of("quad2kg");
   options.hover = options.settle = 0.1;

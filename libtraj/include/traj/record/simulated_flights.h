@@ -33,6 +33,7 @@ struct SimulationOptions {
   FlightOptions flight;
   std::optional<MonteCarloOptions> spread;   // further runs, of which a tube is made
   std::optional<Disturbances> disturbances;  // prove a tube for them
+  bool certificate = false;                  // of the proof, with the tube that it shows
   bool tube = false;                         // check these tubes; only over a map
   int log_period = 10;                       // ms between rows of the log, a multiple of 10
   // Seconds, from whenever: of the CPU of the calling thread. Empty: not measured.
@@ -43,6 +44,7 @@ struct SimulationOptions {
 struct SimulatedFlight {
   FlightReport report;
   FlightLog log;
+  std::string certificate;        // a line; empty: not asked for, or there is no proof
   std::optional<double> seconds;  // simulated, hovering included; nothing: there was no trajectory
   double cpu = 0;                 // seconds that simulating it took
 };
@@ -97,6 +99,7 @@ class SimulatedFlights {
   std::vector<double> at_tilt(std::span<const double> radius, double tilt) const;
   void add_proof(const Entry& entry, const ReferenceTrack& track, const geom::Execution& run,
                  FlightReport& report);
+  std::string certificate_of(const Entry& entry, const FlightReport& report) const;
   void judge(const Entry& entry, const Flight& flight, FlightReport& report);
 
   SimulationOptions options_;

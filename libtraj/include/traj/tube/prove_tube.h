@@ -13,6 +13,7 @@
 //
 // docs/tube.md states the model and derives the bounds.
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -34,30 +35,50 @@ struct Disturbances {
 
 // Why nothing is proved.
 struct TubeTrouble {
-  enum class Kind { motor, tilt, unstable, steps } kind = Kind::motor;
+  enum class Kind { motor, tilt, unstable, steps, bounds } kind = Kind::motor;
   int motor = 0;    // 1 to 4: the command of this motor may leave its range,
   double time = 0;  // s, from the trajectory's start: then,
   double room = 0;  // N, <= 0: by as much as this
 };
 
-inline constexpr geom::Words<TubeTrouble::Kind, 4> kTubeTroubleWords{{
+inline constexpr geom::Words<TubeTrouble::Kind, 5> kTubeTroubleWords{{
     {TubeTrouble::Kind::motor, "motor"},
     {TubeTrouble::Kind::tilt, "tilt"},
     {TubeTrouble::Kind::unstable, "unstable"},
-    {TubeTrouble::Kind::steps, "steps"},  // a millisecond is too coarse for the vehicle
+    {TubeTrouble::Kind::steps, "steps"},    // a millisecond is too coarse for the vehicle
+    {TubeTrouble::Kind::bounds, "bounds"},  // none were found that a certificate could claim
 }};
+
+// Periods of the attitude loop, from the start of the hovering on, that share their bounds.
+inline constexpr int kSpanPeriods = 25;
+
+// Bounds on how far the state is from the nominal flight of a cell, in the order of docs/tube.md:
+// lift, velocity, lag, heading, rates, spin, filtered, turned, and the acceleration that lift and
+// drag give together (without drag: the gust).
+inline constexpr int kSpanBounds = 25;
+using SpanBounds = std::array<double, kSpanBounds>;
+
+// A part of the winds and masses, and the bounds that its proof used.
+struct ProvedCell {
+  // Empty: all. Each number says which part of the one before: bits 0 to 2 are set for the upper
+  // half of the winds east, north and up, bit 3 for that of the masses.
+  std::vector<int> part;
+  std::vector<SpanBounds> bounds;  // in each span of kSpanPeriods
+};
 
 struct ProvedTube {
   std::vector<double> radius;  // m, in each kTubePeriod (as TrackingTube's); empty without a proof
   double largest = 0;          // m
   double tilt = 0;             // rad: it never tilts further
   std::size_t cells = 0;       // parts of the winds and masses that were proved one by one
-  double damping = 1;          // the least damping ratio of the loop in hover
+  std::vector<ProvedCell> proofs;  // of the cells: what a certificate says
+  double damping = 1;              // the least damping ratio of the loop in hover
   std::optional<TubeTrouble> trouble;
 };
 
 struct TubeOptions {
   std::size_t most_cells = 64;  // >= 1: a proof that takes more is given up
+  bool by_spans = false;  // for a certificate: `proofs` have bounds that a checker finds again
 };
 
 // At every step of a millisecond, for all winds, gusts and masses that are allowed, the vehicle of

@@ -1,0 +1,41 @@
+#pragma once
+
+// The certificate of a proved tube: what a script needs to follow the proof by itself.
+//
+// Example:
+//   const auto quad = traj::vehicle_named("quad2kg");
+//   traj::FlightOptions options{.quadrotor = *traj::quadrotor_of(quad->airframe)};
+//   options.gains = *quad->airframe.gains;
+//   options.law = traj::ControlLaw::geometric;
+//   const traj::Disturbances disturbances{.gust_most = 0.5};
+//   const traj::ProvedTube tube =
+//       traj::with_room(traj::prove_tube(traj::ReferenceTrack(trajectory), options, disturbances,
+//       {}));
+//   if (!tube.trouble) {
+//     std::cout << traj::tube_certificate_line("q1", geom::Axes::enu, {options, disturbances},
+//     tube);
+//   }
+
+#include <string>
+
+#include "geom/map/frame.h"
+#include "traj/tube/prove_tube.h"
+
+namespace traj {
+
+// The tube with all bounds and radii made larger by a few per cent. A checker that sums otherwise
+// finds slightly larger bounds, and these have room for them.
+ProvedTube with_room(ProvedTube tube);
+
+// What a tube was proved for.
+struct TubeConditions {
+  const FlightOptions& options;
+  const Disturbances& disturbances;
+};
+
+// One JSON object, "type":"tube_certificate", with a newline: docs/formats.md. `axes`: those of the
+// trajectory's record. Precondition: the tube has a proof.
+std::string tube_certificate_line(const std::string& id, geom::Axes axes,
+                                  const TubeConditions& proved_for, const ProvedTube& tube);
+
+}  // namespace traj

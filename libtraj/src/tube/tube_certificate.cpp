@@ -1,0 +1,80 @@
+#include "traj/tube/tube_certificate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "geom/text/json_line.h"
+#include "traj/flight/monte_carlo.h"
+
+namespace traj {
+namespace {
+
+using geom::JsonLine;
+
+constexpr double kRoom = 1.02;
+
+double read(const std::string& text) {
+  double out = 0;
+  std::from_chars(text.data(), text.data() + text.size(), out);
+  return out;
+}
+
+// Four digits, not below the value (> 0): certificates are long.
+double rounded_up(double value) {
+  const double near = read(fmt::format("{:.3e}", value));
+  return near >= value ? near : read(fmt::format("{:.3e}", value * 1.001));
+}
+
+JsonLine object_of(const Quadrotor& q) {
+  JsonLine line;
+  line.add("mass", q.mass).add("inertia", q.inertia).add("arm", q.arm);
+  line.add("torque_per_thrust", q.torque_per_thrust);
+  line.add("motor_time_constant", q.motor_time_constant);
+  line.add("motor_least", q.motor_least).add("motor_most", q.motor_most).add("drag", q.drag);
+  return line;
+}
+
+JsonLine object_of(const GeometricGains& k) {
+  JsonLine line;
+  line.add("position", k.position).add("velocity", k.velocity).add("attitude", k.attitude);
+  line.add("rates", k.rates).add("lead", k.lead);
+  return line;
+}
+
+}  // namespace
+
+ProvedTube with_room(ProvedTube tube) {
+  for (double& radius : tube.radius) radius = rounded_up(kRoom * radius);
+  tube.largest =
+      tube.radius.empty() ? 0 : *std::max_element(tube.radius.begin(), tube.radius.end());
+  tube.tilt = rounded_up(kRoom * tube.tilt);
+  for (ProvedCell& cell : tube.proofs) {
+    for (SpanBounds& bounds : cell.bounds) {
+      for (double& bound : bounds) bound = rounded_up(bound);
+    }
+  }
+  return tube;
+}
+
+std::string tube_certificate_line(const std::string& id, geom::Axes axes,
+                                  const TubeConditions& proved_for, const ProvedTube& tube) {
+  const FlightOptions& o = proved_for.options;
+  const Disturbances& d = proved_for.disturbances;
+  JsonLine line;
+  line.add("type", "tube_certificate").add("id", id);
+  line.add("frame", geom::name(axes));
+  line.add("vehicle", object_of(o.quadrotor)).add("gains", object_of(o.gains.geometric));
+  line.add("attitude_period_ms", o.periods.attitude).add("hover", o.hover).add("settle", o.settle);
+  line.add("wind", d.wind).add("wind_spread", d.wind_spread).add("gust_most", d.gust_most);
+  line.add("gust_lag", d.gust_lag).add("mass_error", d.mass_error);
+  line.add("period", kTubePeriod).add("tilt", tube.tilt).add("radius", tube.radius);
+  line.add("span", kSpanPeriods);
+  line.add("cells", tube.proofs, [](const ProvedCell& cell) {
+    return JsonLine().add("part", cell.part).add("bounds", cell.bounds);
+  });
+  return line.line();
+}
+
+}  // namespace traj

@@ -1,0 +1,211 @@
+"""A trajectory as the reference of a flight, and one flight along it: a quadrotor's own equations with a quaternion.
+
+verify_tube.py flies the middle of each cell with this. docs/tube.md names the equations.
+"""
+
+import math
+
+import numpy as np
+
+GRAVITY = 9.80665
+STEP = 1e-3  # s
+FILTER_SHARE = STEP / (STEP + 1 / (2 * 3.141592653589793 * 30))  # of the low pass on angular acceleration
+
+# Rows of the state in the coordinates of docs/tube.md.
+LIFT, VELOCITY, LAG, HEADING, RATES, SPIN, FILTERED, TURNED, GUST, WIND, LIGHTNESS = 0, 3, 6, 9, 10, 13, 16, 19, 22, 25, 28
+STATES = 29
+
+
+# ---- The reference.
+
+def derivative(points, duration):
+    """Of a Bernstein form with points along the first axis."""
+    return (points[1:] - points[:-1]) * (len(points) - 1) / duration
+
+
+def value(points, u):
+    """De Casteljau: points (n, k, ...) and u (k,)."""
+    points = points.copy()
+    u = u.reshape(u.shape + (1,) * (points.ndim - 2))
+    while len(points) > 1:
+        points = points[:-1] + u * (points[1:] - points[:-1])
+    return points[0]
+
+
+class Track:
+    """What the controller is told at each step. Before the start and after the end: the ends, at rest."""
+
+    def __init__(self, segments):
+        """Segments as (duration, 8 x 3 control points in ENU axes, 8 yaws)."""
+        self.begins, at = [], 0.0
+        for duration, _, _ in segments:
+            self.begins.append(at)
+            at += duration
+        self.duration = at
+        self.durations = np.array([s[0] for s in segments])
+        curves = [np.array([s[1] for s in segments]).transpose(1, 0, 2)]  # control point, segment, axis
+        for _ in range(3):
+            curves.append(derivative(curves[-1], self.durations[:, None]))
+        self.curves = curves
+        self.yaw = np.array([s[2] for s in segments]).T
+        self.yaw_rate = derivative(self.yaw, self.durations)
+
+    def at(self, first, last):
+        """At the steps first, ..., last: (position, velocity, acceleration, jerk, yaw, yaw rate), a row for each step."""
+        t = np.arange(first, last + 1).astype(float) * STEP
+        piece = np.clip(np.searchsorted(self.begins, t, side="right") - 1, 0, len(self.begins) - 1)
+        u = np.clip((t - np.array(self.begins)[piece]) / self.durations[piece], 0.0, 1.0)
+        moves = ~((t < 0) | (t > self.duration))
+        out = [value(curve[:, piece], u) for curve in self.curves]
+        out += [value(self.yaw[:, piece], u), value(self.yaw_rate[:, piece], u)]
+        for k in (1, 2, 3, 5):
+            out[k] = out[k] * (moves[:, None] if out[k].ndim == 2 else moves)
+        return out
+
+
+# ---- A flight.
+
+def dot(a, b):
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def unit(a):
+    size = math.sqrt(dot(a, a))
+    return (a[0] / size, a[1] / size, a[2] / size)
+
+
+def attitude_along(force, yaw):
+    """The axes x, y, z whose z is along the force and whose x has the heading."""
+    z = unit(force)
+    x = unit(cross((-math.sin(yaw), math.cos(yaw), 0.0), z))
+    return x, cross(z, x), z
+
+
+def body_axes(q):
+    w, x, y, z = q
+    return ((1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)),
+            (2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)),
+            (2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)))
+
+
+class Quadrotor:
+    """Position, velocity, quaternion (w first), body rates and motor thrusts as one list of 17 numbers."""
+
+    def __init__(self, claim, mass, wind):
+        self.claim, self.mass, self.wind = claim, mass, wind
+
+    def torque(self, thrusts):
+        a, b, c, d = thrusts
+        return ((b + c - a - d) * self.claim.arm[1], (b + d - a - c) * self.claim.arm[0],
+                (c + d - a - b) * self.claim.torque_per_thrust)
+
+    def slope(self, s, command):
+        q, w, thrusts = s[6:10], s[10:13], s[13:17]
+        axes, inertia, drag = body_axes(q), self.claim.inertia, self.claim.drag
+        air = (s[3] - self.wind[0], s[4] - self.wind[1], s[5] - self.wind[2])
+        force = [-drag[i] * dot(axes[i], air) for i in range(3)]
+        force[2] += sum(thrusts)
+        acceleration = [sum(force[i] * axes[i][k] for i in range(3)) / self.mass for k in range(3)]
+        acceleration[2] -= GRAVITY
+        turn = cross(w, [j * x for j, x in zip(inertia, w)])
+        torque = self.torque(thrusts)
+        v = q[1:]
+        more = cross(v, w)
+        lag = self.claim.motor_time_constant
+        return [*s[3:6], *acceleration, -0.5 * dot(v, w), *(0.5 * (q[0] * w[i] + more[i]) for i in range(3)),
+                *((torque[i] - turn[i]) / inertia[i] for i in range(3)), *((command[i] - thrusts[i]) / lag for i in range(4))]
+
+    def stepped(self, s, command):
+        """Runge and Kutta's method of order 4."""
+        h = STEP
+        k1 = self.slope(s, command)
+        k2 = self.slope([x + h / 2 * d for x, d in zip(s, k1)], command)
+        k3 = self.slope([x + h / 2 * d for x, d in zip(s, k2)], command)
+        k4 = self.slope([x + h * d for x, d in zip(s, k3)], command)
+        out = [x + h / 6 * (a + 2 * b + 2 * c + d) for x, a, b, c, d in zip(s, k1, k2, k3, k4)]
+        size = math.sqrt(sum(c * c for c in out[6:10]))
+        out[6:10] = [c / size for c in out[6:10]]
+        return out
+
+
+class Controller:
+    """Lee, Leok and McClamroch 2010, and what of it stays from one step to the next."""
+
+    def __init__(self, claim):
+        self.claim = claim
+        self.filtered, self.last_rates = [0.0] * 3, [0.0] * 3
+
+    def look(self, s, reference):
+        """The attitude loop runs."""
+        p, v, a, jerk, yaw, yaw_rate = reference
+        kp, kv = self.claim.position, self.claim.velocity
+        self.lift = [kp[i] * (p[i] - s[i]) + kv[i] * (v[i] - s[3 + i]) + a[i] + (GRAVITY if i == 2 else 0.0) for i in range(3)]
+        self.wanted = x, y, z = attitude_along(self.lift, yaw)
+        along = dot(z, jerk)
+        size = math.sqrt(dot(self.lift, self.lift))
+        dz = [(jerk[i] - along * z[i]) / size for i in range(3)]
+        left = (-math.sin(yaw), math.cos(yaw), 0.0)
+        turned = cross([-yaw_rate * math.cos(yaw), -yaw_rate * math.sin(yaw), 0.0], z)
+        leant = cross(left, dz)
+        across = [turned[i] + leant[i] for i in range(3)]
+        flat = cross(left, z)
+        self.rates = (-dot(dz, y), dot(dz, x), dot(across, y) / math.sqrt(dot(flat, flat)))
+
+    def command(self, s):
+        """The motors' commands of this step, not clipped."""
+        claim, w = self.claim, s[10:13]
+        body = body_axes(s[6:10])
+        towards = [[dot(b, a) for a in self.wanted] for b in body]  # body . wanted
+        error = [0.5 * (dot(self.wanted[j], body[k]) - dot(self.wanted[k], body[j])) for j, k in ((2, 1), (0, 2), (1, 0))]
+        follow = [dot(row, self.rates) for row in towards]
+        for i in range(3):
+            self.filtered[i] += FILTER_SHARE * ((w[i] - self.last_rates[i]) / STEP - self.filtered[i])
+        self.last_rates = list(w)
+        spin = [-claim.attitude[i] * error[i] - claim.rates[i] * (w[i] - follow[i]) - claim.lead[i] * self.filtered[i] for i in range(3)]
+        inertia = claim.inertia
+        turn, carried = cross(w, [inertia[i] * w[i] for i in range(3)]), cross(w, follow)
+        torque = [inertia[i] * (spin[i] - carried[i]) + turn[i] for i in range(3)]
+        mean = claim.mass * dot(self.lift, body[2]) / 4
+        x, y, z = torque[0] / (4 * claim.arm[1]), torque[1] / (4 * claim.arm[0]), torque[2] / (4 * claim.torque_per_thrust)
+        return (mean - x - y - z, mean + x + y - z, mean + x - y + z, mean - x + y + z)
+
+
+def coordinates(s, controller, quadrotor):
+    """The state as docs/tube.md describes it, when the attitude loop has run."""
+    claim = controller.claim
+    body = body_axes(s[6:10])
+    force = sum(s[13:17]) / claim.mass
+    seen = [[dot(axis, b) for axis in controller.wanted] for b in body]  # each axis of the body in the wanted frame
+    size = math.sqrt(dot(controller.lift, controller.lift))
+    lag = [-force * seen[2][0], -force * seen[2][1], size - force * seen[2][2]]
+    torque = quadrotor.torque(s[13:17])
+    return [*controller.lift, *s[3:6], *lag, math.atan2(seen[0][1], seen[0][0]), *s[10:13],
+            *(torque[i] / claim.inertia[i] for i in range(3)), *controller.filtered,
+            *(s[10 + i] - controller.last_rates[i] for i in range(3)), 0.0, 0.0, 0.0, *quadrotor.wind, claim.mass / quadrotor.mass]
+
+
+def fly(claim, track, wind, lightness, periods):
+    """The states at the starts of so many periods and one more, and the positions then, of the flight that meets no gust.
+
+    It starts at rest on the first reference, claim.before steps before the trajectory.
+    """
+    references = track.at(-claim.before, -claim.before + periods * claim.period)
+    rows = [r[::claim.period].tolist() for r in references]
+    first = track.at(-1, -1)
+    yaw = float(first[4][0])
+    mass = claim.mass / lightness
+    s = [*first[0][0].tolist(), 0.0, 0.0, 0.0, math.cos(yaw / 2), 0.0, 0.0, math.sin(yaw / 2), 0.0, 0.0, 0.0, *[mass * GRAVITY / 4] * 4]
+    quadrotor, controller = Quadrotor(claim, mass, wind), Controller(claim)
+    states, places = [], []
+    for k in range(periods + 1):
+        controller.look(s, [r[k] for r in rows])
+        states.append(coordinates(s, controller, quadrotor))
+        places.append(s[:3])
+        if k < periods:
+            for _ in range(claim.period):
+                s = quadrotor.stepped(s, controller.command(s))
+    return np.array(states), np.array(places)

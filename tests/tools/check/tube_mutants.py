@@ -1,0 +1,197 @@
+"""What can be done to a tube's certificate and its record: changes after which it must be refused, or what it claims is still true.
+
+`mutants` gives (what, record, certificate, expected) for ever, by chance. Expected is "refused"; or "same" where the claim stays or becomes weaker,
+so that it may be accepted; or "asked" where another tube is claimed, which must be true if it is accepted.
+"""
+
+import copy
+import random
+
+NOT_NUMBERS = [None, True, "0.1", "NaN", [], {}, [1], float("nan"), float("inf"), float("-inf"), 1e400, 10**400]
+VEHICLE = ("mass", "torque_per_thrust", "motor_time_constant", "motor_least", "motor_most", "inertia", "arm", "drag")
+GAINS = ("position", "velocity", "attitude", "rates", "lead")
+
+
+def places(tree, path=()):
+    """The path of every value, of long lists a few."""
+    if path:
+        yield path
+    if isinstance(tree, dict):
+        for key in tree:
+            yield from places(tree[key], (*path, key))
+    elif isinstance(tree, list) and tree:
+        for i in sorted({0, len(tree) // 2, len(tree) - 1}):
+            yield from places(tree[i], (*path, i))
+
+
+def at(tree, path):
+    for key in path:
+        tree = tree[key]
+    return tree
+
+
+def factor(chance):
+    """From tiny changes to large ones."""
+    by = 10 ** chance.uniform(-6, 0.3)
+    return 1 + by if chance.random() < 0.5 else 1 / (1 + by)
+
+
+class Mutants:
+    def __init__(self, seed):
+        self.chance = random.Random(seed)
+
+    def of(self, record, certificate):
+        kinds = [self.type, self.key, self.list, self.bounds, self.span, self.radius, self.cell, self.vehicle, self.gain, self.disturbance,
+                 self.curve, self.time, self.raised]
+        while True:
+            changed = copy.deepcopy(record), copy.deepcopy(certificate)
+            kind = self.chance.choice(kinds)
+            told = kind(*changed)
+            if told and changed != (record, certificate):
+                yield f"{kind.__name__}: {told[0]}", *changed, told[1]
+
+    # What is no certificate.
+
+    def type(self, record, certificate):
+        path = self.chance.choice(list(places(certificate)))
+        value = self.chance.choice(NOT_NUMBERS)
+        before = at(certificate, path)
+        if value == before or type(value) is type(before) and isinstance(value, (list, dict)):
+            return None
+        at(certificate, path[:-1])[path[-1]] = value
+        return f"{path} is {value!r:.20}", "refused" if path != ("cells", 0, "part") or value else "same"
+
+    def key(self, record, certificate):
+        objects = [certificate, certificate["vehicle"], certificate["gains"], *certificate["cells"]]
+        one = self.chance.choice(objects)
+        key = self.chance.choice(list(one))
+        if self.chance.random() < 0.5:
+            del one[key]
+            return f"no {key}", "refused"
+        one[key + "_"] = one[key]
+        return f"{key}_ more", "refused"
+
+    def list(self, record, certificate):
+        lists = [p for p in places(certificate) if isinstance(at(certificate, p), list) and at(certificate, p)]
+        path = self.chance.choice([p for p in lists if p[-1] not in ("cells", "part")])
+        one = at(certificate, path)
+        if self.chance.random() < 0.5:
+            one.pop(self.chance.randrange(len(one)))
+        else:
+            one.append(copy.deepcopy(one[-1]))
+        return f"{path} has {len(one)}", "refused"
+
+    # Bounds and radii that are too small.
+
+    def bounds(self, record, certificate):
+        cell = self.chance.choice(certificate["cells"])["bounds"]
+        row, column = self.chance.randrange(2, len(cell)), self.chance.randrange(25)
+        value = self.chance.choice([0, -cell[row][column], cell[row][column] * self.chance.uniform(0, 0.4)])
+        cell[row][column] = value
+        # A bound of nearly nothing may leave room: it is at least 1e-8.
+        return f"bound {row} {column} is {value}", "refused" if value <= 0 or value > 1e-6 else "same"
+
+    def span(self, record, certificate):
+        cell = self.chance.choice(certificate["cells"])["bounds"]
+        kind = self.chance.randrange(4)
+        if kind == 0:
+            by = self.chance.uniform(0.1, 0.7)
+            for row in cell:
+                row[:] = [by * b for b in row]
+            return f"all bounds times {by}", "refused"
+        if kind == 1:
+            cell.reverse()
+            return "spans backwards", "refused"
+        if kind == 2:
+            certificate["span"] = self.chance.choice([0, -1, 1, 5, 24, 26, 50, 1000, 25.5])
+            return f"span {certificate['span']}", "refused"
+        row = self.chance.choice(cell)
+        row[:] = row[1:] + row[:1]
+        return "a span's bounds turned", "refused"
+
+    def radius(self, record, certificate):
+        radius = certificate["radius"]
+        kind = self.chance.randrange(4)
+        by = self.chance.choice([self.chance.uniform(0, 0.9), self.chance.uniform(0.9, 1), 0, -1])
+        if kind == 0:
+            certificate["tilt"] *= by
+            return f"tilt times {by}", "refused" if by <= 0.9 else "asked"
+        if kind == 1:
+            certificate["radius"] = [by * r for r in radius]
+            return f"all radii times {by}", "refused" if by <= 0.9 else "asked"
+        k = self.chance.randrange(len(radius))
+        radius[k] *= by
+        return f"radius {k} times {by}", "refused" if by <= 0.9 else "asked"
+
+    # Another claim.
+
+    def cell(self, record, certificate):
+        cells = certificate["cells"]
+        kind = self.chance.randrange(4)
+        if kind == 0:
+            cells.pop(self.chance.randrange(len(cells)))
+            return "a cell less", "refused"
+        if kind == 1:
+            cells.append(copy.deepcopy(self.chance.choice(cells)))
+            return "a cell twice", "refused"
+        part = self.chance.choice(cells)["part"]
+        if kind == 2 and part:
+            i = self.chance.randrange(len(part))
+            part[i] = (part[i] + self.chance.randrange(1, 16)) % 16
+            return f"a cell is {part}", "refused"
+        part.append(self.chance.randrange(16))
+        return f"a cell is {part}", "refused"
+
+    def vehicle(self, record, certificate):
+        name = self.chance.choice(VEHICLE)
+        vehicle = certificate["vehicle"]
+        by = self.chance.choice([factor(self.chance), 0, -1])
+        if isinstance(vehicle[name], list):
+            i = self.chance.randrange(len(vehicle[name]))
+            vehicle[name][i] *= by
+        else:
+            vehicle[name] *= by
+        wrong = by <= 0 and name not in ("motor_least", "drag") or by < 0 and name == "drag"
+        return f"{name} times {by}", "refused" if wrong else "asked"
+
+    def gain(self, record, certificate):
+        name, i = self.chance.choice(GAINS), self.chance.randrange(3)
+        by = self.chance.choice([factor(self.chance), 0, -1])
+        certificate["gains"][name][i] *= by
+        return f"gain {name} times {by}", "refused" if by < 0 or by == 0 and name == "position" else "asked"
+
+    def disturbance(self, record, certificate):
+        name = self.chance.choice(["wind_spread", "gust_most", "mass_error", "gust_lag", "wind", "hover", "settle", "attitude_period_ms"])
+        if name == "wind":
+            certificate["wind"][self.chance.randrange(3)] += self.chance.choice([-1, 1]) * 10 ** self.chance.uniform(-6, 1)
+            return "wind", "asked"
+        if name == "attitude_period_ms":
+            certificate[name] = self.chance.choice([0, 1, 2, 3, 5, 4.5, -4])
+            return f"period {certificate[name]}", "asked"
+        certificate[name] *= self.chance.choice([factor(self.chance), factor(self.chance), -1])
+        return f"{name} is {certificate[name]}", "refused" if certificate[name] < 0 else "asked"
+
+    def curve(self, record, certificate):
+        segment = self.chance.choice(record["segments"])
+        axis = self.chance.choice([a for a in ("x", "y", "z", "yaw") if a in segment])
+        i = self.chance.randrange(8)
+        segment[axis][i] += self.chance.choice([-1, 1]) * 10 ** self.chance.uniform(-8, 1)
+        return f"{axis} {i}", "asked"
+
+    def time(self, record, certificate):
+        segment = self.chance.choice(record["segments"])
+        segment["duration"] *= self.chance.choice([factor(self.chance), factor(self.chance), 0, -1])
+        return f"duration {segment['duration']}", "refused" if segment["duration"] <= 0 else "asked"
+
+    def raised(self, record, certificate):
+        """Weaker claims, and larger bounds for the same one."""
+        kind, by = self.chance.randrange(4), 1 + 10 ** self.chance.uniform(-4, 0)
+        if kind == 0:
+            certificate["radius"] = [by * r for r in certificate["radius"]]
+        elif kind == 1:
+            certificate["tilt"] = min(by * certificate["tilt"], 3.1)
+        else:
+            for cell in certificate["cells"]:
+                for row in cell["bounds"] if kind == 2 else [self.chance.choice(cell["bounds"])]:
+                    row[:] = [by * b for b in row]
+        return f"{('radii', 'tilt', 'bounds', 'a span')[kind]} times {by}", "same"

@@ -1,0 +1,86 @@
+#include "traj/tube/tube_certificate.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "traj/flight/vehicle_profile.h"
+#include "traj/flights.h"
+
+namespace traj {
+namespace {
+
+FlightOptions quad() {
+  const auto profile = vehicle_named("quad2kg");
+  FlightOptions options{.quadrotor = *quadrotor_of(profile->airframe)};
+  options.gains = *profile->airframe.gains;
+  options.law = ControlLaw::geometric;
+  options.hover = 0.2;
+  options.settle = 0.1;
+  return options;
+}
+
+const Disturbances kBreeze{
+    .wind = {1, 0, 0}, .wind_spread = 0.1, .gust_most = 0.2, .mass_error = 0.002};
+
+TEST(TubeCertificate, SaysForWhatATubeWasProved) {
+  const ReferenceTrack track(testing::line({0.5, 0.2, 0}, 1.5));
+  const FlightOptions options = quad();
+  const ProvedTube tube = with_room(prove_tube(track, options, kBreeze, {}, {.by_spans = true}));
+  ASSERT_FALSE(tube.trouble);
+  const std::string line = tube_certificate_line("a", geom::Axes::neu, {options, kBreeze}, tube);
+  EXPECT_EQ(line.back(), '\n');
+  const nlohmann::json out = nlohmann::json::parse(line);
+  EXPECT_EQ(out["id"], "a");
+  EXPECT_EQ(out["frame"], "neu");
+  EXPECT_EQ(out["vehicle"]["mass"], options.quadrotor.mass);
+  EXPECT_EQ(out["gains"]["rates"][1], options.gains.geometric.rates.y());
+  EXPECT_EQ(out["mass_error"], 0.002);
+  EXPECT_EQ(out["radius"].get<std::vector<double>>(), tube.radius);
+  ASSERT_EQ(out["cells"].size(), tube.cells);
+  // 0.2 s + 1.5 s + 0.1 s in periods of 4 ms, and one for the last step.
+  EXPECT_EQ(out["cells"][0]["bounds"].size(), (1800 / 4 + 1 + kSpanPeriods - 1) / kSpanPeriods);
+  for (const auto& span : out["cells"][0]["bounds"]) {
+    ASSERT_EQ(span.size(), kSpanBounds);
+    for (const double bound : span) EXPECT_GT(bound, 0);
+  }
+}
+
+TEST(TubeCertificate, HasRoomForACheckerThatSumsOtherwise) {
+  const ReferenceTrack track(testing::line({0.5, 0.2, 0}, 1.5));
+  const ProvedTube plain = prove_tube(track, quad(), kBreeze, {});
+  const ProvedTube spans = prove_tube(track, quad(), kBreeze, {}, {.by_spans = true});
+  ASSERT_FALSE(spans.trouble);
+  const ProvedTube roomy = with_room(spans);
+  ASSERT_EQ(roomy.radius.size(), plain.radius.size());
+  for (std::size_t k = 0; k < plain.radius.size(); ++k) {
+    EXPECT_GE(spans.radius[k], plain.radius[k]) << "bounds of spans are not below those of periods";
+    EXPECT_GE(roomy.radius[k], 1.02 * spans.radius[k]);
+    EXPECT_LE(roomy.radius[k], 1.06 * plain.radius[k]);
+  }
+  EXPECT_EQ(roomy.largest, *std::max_element(roomy.radius.begin(), roomy.radius.end()));
+  EXPECT_GT(roomy.tilt, spans.tilt);
+  for (std::size_t k = 0; k < plain.proofs[0].bounds.size(); ++k) {
+    for (std::size_t i = 0; i < kSpanBounds; ++i) {
+      EXPECT_GE(roomy.proofs[0].bounds[k][i], 1.06 * plain.proofs[0].bounds[k][i]);
+    }
+  }
+}
+
+// Cells that fill what is asked for: a certificate without one of them would be refused.
+TEST(TubeCertificate, NamesThePartsOfWindsAndMasses) {
+  const ReferenceTrack track(testing::line({0.1, 0, 0}, 1));
+  const Disturbances wide{.wind_spread = 2.5, .gust_most = 0.05};
+  const ProvedTube tube = prove_tube(track, quad(), wide, {}, {.by_spans = true});
+  ASSERT_FALSE(tube.trouble);
+  ASSERT_GT(tube.cells, 1u);
+  double eighths = 0;
+  for (const ProvedCell& cell : tube.proofs) {
+    for (const int k : cell.part) EXPECT_LT(k, 8) << "the mass is not halved";
+    eighths += std::pow(0.125, static_cast<double>(cell.part.size()));
+  }
+  EXPECT_LE(eighths, 1);
+}
+
+}  // namespace
+}  // namespace traj
