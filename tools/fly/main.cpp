@@ -67,7 +67,9 @@ void check_usage(const fly::Options& options, const Inputs& inputs, const cli::S
 // What must not be asked alone.
 void check_needs(const CLI::App& app, const fly::Options& options, const Inputs& inputs) {
   cli::only_for(app, options.tune, {"--cost"}, "--tune");
-  cli::only_for(app, options.proved_tube, {"--wind-spread", "--gust-most", "--gust-lag"},
+  cli::only_for(app, options.proved_tube,
+                {"--wind-spread", "--gust-most", "--gust-lag", "--drag-error", "--motor-lag-error",
+                 "--inertia-error"},
                 "--proved-tube");
   cli::only_for(app, !inputs.map.empty(), {"--metres"}, "flights over a map");
 }

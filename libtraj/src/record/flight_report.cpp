@@ -79,6 +79,8 @@ JsonLine proved(const FlightReport& r, const geom::BoxMap* map) {
   JsonLine line;
   line.add("ok", !r.proved.trouble).add("wind", d.wind).add("wind_spread", d.wind_spread);
   line.add("gust_most", d.gust_most).add("gust_lag", d.gust_lag).add("mass_error", d.mass_error);
+  line.add("drag_error", d.drag_error).add("motor_lag_error", d.motor_lag_error);
+  line.add("inertia_error", d.inertia_error);
   line.add("damping", r.proved.damping).add("cells", r.proved.cells);
   if (const auto& trouble = r.proved.trouble) {
     line.add("reason", geom::word_of(kTubeTroubleWords, trouble->kind)).add("time", trouble->time);

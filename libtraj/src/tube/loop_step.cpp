@@ -89,6 +89,9 @@ LoopStep<S> loop_step(const Loop& loop, const LoopState<S>& s, const LoopReferen
     const S more = loose<S>((1 - kept) * loop.gust_most);
     held.wind = s.wind + kept * s.gust + Triple<S>{more, more, more};
     held.lightness = s.lightness;
+    held.drag = s.drag;
+    held.quickness = s.quickness;
+    held.agility = s.agility;
     body = runge_kutta(loop.model, wanted, body, held);
     step.moved.push_back(body.moved);
     step.upright.push_back(in_world(wanted.frame, frame_of(body, wanted).z).z);
@@ -115,6 +118,9 @@ LoopStep<S> loop_step(const Loop& loop, const LoopState<S>& s, const LoopReferen
   out.gust = gust_kept(loop, loop.period) * s.gust;
   out.wind = s.wind;
   out.lightness = s.lightness;
+  out.drag = s.drag;
+  out.quickness = s.quickness;
+  out.agility = s.agility;
   return step;
 }
 
@@ -127,6 +133,8 @@ LoopState<TaylorModel> resting(const TaylorModel& lightness) {
   s.lift.z = kGravity;
   s.lag.z = kGravity - kGravity * inverse(lightness);
   s.lightness = lightness;
+  s.drag = s.quickness = 1.0;
+  s.agility = {1.0, 1.0, 1.0};
   return s;
 }
 

@@ -39,22 +39,32 @@ Triple<S> drag_force(const Vec3& drag, const Frame<S>& f, const Frame<S>& wanted
   return out;
 }
 
+// J^-1 (w x J w) of the true inertia J.
+template <class S>
+Triple<S> turning(const Vec3& believed, const Triple<S>& agility, const Triple<S>& w) {
+  const Triple<S> momentum = {believed.x() * (w.x * inverse(agility.x)),
+                              believed.y() * (w.y * inverse(agility.y)),
+                              believed.z() * (w.z * inverse(agility.z))};
+  return scaled(agility, scaled(triple(believed.cwiseInverse()), cross(w, momentum)));
+}
+
 template <class S>
 Body<S> slope(const Quadrotor& q, const Wanted<S>& wanted, const Body<S>& b, const Held<S>& held) {
   const Frame<S> f = frame_of(b, wanted);
-  const double lag = 1 / q.motor_time_constant;
+  const S lag = (1 / q.motor_time_constant) * held.quickness;
   Body<S> d;
   d.moved = b.velocity;
   const Triple<S> drag = drag_force(q.drag, f, wanted.frame, b.velocity - held.wind);
-  d.velocity = held.lightness * (wanted.lift - in_world(wanted.frame, b.lag) - (1 / q.mass) * drag);
+  d.velocity = held.lightness *
+               (wanted.lift - in_world(wanted.frame, b.lag) - ((1 / q.mass) * held.drag) * drag);
   d.velocity.z = d.velocity.z - kGravity;
   const Triple<S> z = b.rates.y * f.x - b.rates.x * f.y;  // how the z axis turns
   d.lag = Triple<S>{} - (lag * b.missing) * f.z - f.size * z;
-  d.missing = -lag * b.missing;
+  d.missing = -(lag * b.missing);
   const Triple<S> across = cross(f.left, z);
   d.heading =
       (b.rates.z * f.across_size - dot(across, f.y)) * inverse(-dot(cross(f.ahead, f.z), f.y));
-  d.rates = b.spin - gyroscopic(q.inertia, b.rates);
+  d.rates = scaled(held.agility, b.spin) - turning(q.inertia, held.agility, b.rates);
   d.turned = d.rates;
   d.spin = lag * (held.spin - b.spin);
   return d;

@@ -35,7 +35,8 @@ struct Held {
   S thrust{};      // m/s2 that is asked for
   Triple<S> spin;  // rad/s2 that are asked for
   Triple<S> wind;
-  S lightness{};
+  S lightness{}, drag{}, quickness{};
+  Triple<S> agility;
 };
 
 template <class S>
