@@ -85,9 +85,10 @@ Case random_case(std::uint64_t seed) {
   d.gust_lag = random.uniform(0.3, 3);
   d.mass_error = random.uniform(0, 0.01) * scale;
   if (random.uniform(0, 1) < 0.5) return c;
-  d.drag_error = random.uniform(0, 0.1) * scale;
-  d.motor_lag_error = random.uniform(0, 0.03) * scale;
-  d.inertia_error = random.uniform(0, 0.03) * scale;
+  d.gust_most *= 0.3;
+  d.drag_error = random.uniform(0, 0.05) * scale;
+  d.motor_lag_error = random.uniform(0, 0.02) * scale;
+  d.inertia_error = random.uniform(0, 0.02) * scale;
   return c;
 }
 

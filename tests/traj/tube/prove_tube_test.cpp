@@ -50,11 +50,11 @@ TEST(ProveTube, HoldsFlightsThatArePushedAsFarAsTheyCan) {
 // grows, and holds them.
 TEST(ProveTube, HoldsVehiclesThatDifferFromWhatIsBelieved) {
   const Disturbances all{.wind = {2, 0, 0},
-                         .gust_most = 0.3,
-                         .mass_error = 0.005,
-                         .drag_error = 0.1,
-                         .motor_lag_error = 0.05,
-                         .inertia_error = 0.05};
+                         .gust_most = 0.2,
+                         .mass_error = 0.003,
+                         .drag_error = 0.03,
+                         .motor_lag_error = 0.02,
+                         .inertia_error = 0.02};
   expect_inside("quad2kg", testing::line({6, 3, 2}, 4), all);
   const ReferenceTrack track(testing::line({6, 3, 2}, 4));
   const double none = prove_tube(track, flight_of("quad2kg"), {.wind = {2, 0, 0}}, {}).largest;
