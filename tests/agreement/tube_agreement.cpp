@@ -84,6 +84,11 @@ Case random_case(std::uint64_t seed) {
   d.gust_most = random.uniform(0, large ? 1.4 : 0.7) * scale;
   d.gust_lag = random.uniform(0.3, 3);
   d.mass_error = random.uniform(0, 0.01) * scale;
+  if (random.uniform(0, 1) < 0.5) return c;
+  d.gust_most *= 0.3;
+  d.drag_error = random.uniform(0, 0.05) * scale;
+  d.motor_lag_error = random.uniform(0, 0.02) * scale;
+  d.inertia_error = random.uniform(0, 0.02) * scale;
   return c;
 }
 

@@ -16,7 +16,10 @@ namespace traj::testing {
 // What is true of one flight.
 struct Fate {
   Vec3 wind = Vec3::Zero();  // m/s, the mean wind
-  double mass_error = 0;     // share of the believed mass
+  double mass_error = 0;     // shares of what is believed
+  double drag_error = 0;
+  double motor_lag_error = 0;
+  Vec3 inertia_error = Vec3::Zero();
   std::function<Vec3(long)> towards =
       {};  // m/s, what the gust runs towards from a step of 1 ms on, counted
            // from the start of the hovering before the trajectory
@@ -34,8 +37,12 @@ struct DisturbedFlight {
 // millisecond.
 inline DisturbedFlight fly(const ReferenceTrack& track, const FlightOptions& options,
                            const Disturbances& d, const Fate& fate) {
-  Quadrotor vehicle = options.quadrotor;
-  vehicle.mass *= 1 + fate.mass_error;
+  FlightOptions with = options;
+  with.mass_error = fate.mass_error;
+  with.drag_error = fate.drag_error;
+  with.motor_lag_error = fate.motor_lag_error;
+  with.inertia_error = fate.inertia_error;
+  const Quadrotor vehicle = true_vehicle(with);
   const long before = std::lround(options.hover / kStep);
   const long steps = std::lround((track.duration() + options.settle) / kStep);
   std::size_t cursor = 0;
@@ -101,8 +108,13 @@ inline Fate drawn_fate(support::Random& random, const FlightOptions& options, co
   const double share = edge ? 1 : random.uniform(0, 1);
   fate.wind =
       d.wind + d.wind_spread * share * (random.uniform(0, 1) < 0.5 ? push : direction(random));
-  fate.mass_error =
-      d.mass_error * (edge ? (random.uniform(0, 1) < 0.5 ? -1 : 1) : random.uniform(-1, 1));
+  const auto off = [&](double most) {
+    return most * (edge ? (random.uniform(0, 1) < 0.5 ? -1 : 1) : random.uniform(-1, 1));
+  };
+  fate.mass_error = off(d.mass_error);
+  fate.drag_error = off(d.drag_error);
+  fate.motor_lag_error = off(d.motor_lag_error);
+  for (double& axis : fate.inertia_error) axis = off(d.inertia_error);
   const long all = std::lround((options.hover + duration + options.settle) / kStep);
   std::vector<Vec3> towards(static_cast<std::size_t>(all + 1), Vec3::Zero());
   if (kind == 2) {

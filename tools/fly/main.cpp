@@ -64,6 +64,12 @@ void check_usage(const fly::Options& options, const Inputs& inputs, const cli::S
   if (!outputs.certificate.empty() && !options.proved_tube) {
     throw cli::UsageError("--certificate: give --proved-tube, of whose proof it is");
   }
+  if (!outputs.certificate.empty() &&
+      std::max({options.drag_error, options.motor_lag_error, options.inertia_error}) > 0) {
+    throw cli::UsageError(
+        "--certificate holds for ranges of winds, gusts and masses alone: leave out --drag-error, "
+        "--motor-lag-error and --inertia-error");
+  }
   if (options.proved_tube && sharding.asked() && options.runs > 0) {
     throw cli::UsageError(
         "a shard of --runs proves nothing: give --proved-tube later, with --join");
@@ -80,7 +86,9 @@ void check_usage(const fly::Options& options, const Inputs& inputs, const cli::S
 // What must not be asked alone.
 void check_needs(const CLI::App& app, const fly::Options& options, const Inputs& inputs) {
   cli::only_for(app, options.tune, {"--cost"}, "--tune");
-  cli::only_for(app, options.proved_tube, {"--wind-spread", "--gust-most", "--gust-lag"},
+  cli::only_for(app, options.proved_tube,
+                {"--wind-spread", "--gust-most", "--gust-lag", "--drag-error", "--motor-lag-error",
+                 "--inertia-error"},
                 "--proved-tube");
   cli::only_for(app, !inputs.map.empty(), {"--metres"}, "flights over a map");
 }

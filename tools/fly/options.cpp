@@ -112,6 +112,17 @@ void Options::add_to(CLI::App& app) {
   app.add_option("--gust-lag", gust_lag,
                  "with --proved-tube: the time constant of gusts, s (default: 1)")
       ->check(CLI::Range(0.01, 1000.0));
+  app.add_option("--drag-error", drag_error,
+                 "with --proved-tube: the drag is within this share of the profile's (default: 0)")
+      ->check(CLI::Range(0.0, 0.5));
+  app.add_option("--motor-lag-error", motor_lag_error,
+                 "with --proved-tube: the motors' time constant is within this share of the "
+                 "profile's (default: 0)")
+      ->check(CLI::Range(0.0, 0.5));
+  app.add_option("--inertia-error", inertia_error,
+                 "with --proved-tube: the inertia about each axis is within this share of the "
+                 "profile's (default: 0)")
+      ->check(CLI::Range(0.0, 0.5));
   app.add_flag("--clear-tube", tube,
                "with a map and --runs or --proved-tube: ask whether the map is clear with the "
                "tube added");
@@ -207,7 +218,14 @@ traj::Disturbances Options::disturbances(const traj::FlightOptions& flight) cons
   if (flight.periods.attitude > 4) refuse("give a --loop-period of at most 0.004");
   if (std::abs(mass_error) > 0.5) refuse("give a --mass-error of at most 0.5");
   if (flight.gains.geometric.position.minCoeff() <= 0) refuse("the position gains must be above 0");
-  return {flight.wind.mean, wind_spread, gust_most, gust_lag, std::abs(mass_error)};
+  return {.wind = flight.wind.mean,
+          .wind_spread = wind_spread,
+          .gust_most = gust_most,
+          .gust_lag = gust_lag,
+          .mass_error = std::abs(mass_error),
+          .drag_error = drag_error,
+          .motor_lag_error = motor_lag_error,
+          .inertia_error = inertia_error};
 }
 
 traj::MonteCarloOptions Options::spread() const { return {runs, std::abs(mass_error)}; }

@@ -32,6 +32,9 @@ struct Options {
   bool proved_tube = false;
   double wind_spread = 0;
   double gust_most = 0;
+  double drag_error = 0;
+  double motor_lag_error = 0;
+  double inertia_error = 0;
   double gust_lag = 1;
   bool tube = false;
   bool tune = false;

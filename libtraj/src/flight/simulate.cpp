@@ -153,6 +153,9 @@ class Simulation {
 Quadrotor true_vehicle(const FlightOptions& options) {
   Quadrotor out = options.quadrotor;
   out.mass *= 1 + options.mass_error;
+  out.drag *= 1 + options.drag_error;
+  out.motor_time_constant *= 1 + options.motor_lag_error;
+  out.inertia = out.inertia.cwiseProduct(Vec3::Ones() + options.inertia_error);
   return out;
 }
 

@@ -10,8 +10,8 @@ constexpr int kGusts = 5;            // periods whose gusts are added up, 20 ms
 constexpr std::size_t kBatches = 5;  // 0.5 s
 constexpr std::size_t kOldest = 6;   // 3 s: older terms become a box
 constexpr double kUp = 1 + 1e-12;    // above the rounding of sums of thousands of terms
-constexpr int kColumns = kNamedErrors + kLoopStates;  // intervals that a period adds
-constexpr int kKinds = 3 + kLoopStates;               // of them: torques about an axis, coordinates
+constexpr int kColumns = kNamedErrors + kMovingStates;  // intervals that a period adds
+constexpr int kKinds = 3 + kMovingStates;  // of them: torques about an axis, coordinates
 
 ErrorVector sums(const ErrorColumns& intervals) {
   if (intervals.cols() == 0) return ErrorVector::Zero();
@@ -131,7 +131,7 @@ void ErrorSet::advance(const ErrorMatrix& map, const PeriodErrors& added) {
   }
   ErrorTerms terms{added.gust, ErrorColumns::Zero(kErrorRows, kColumns)};
   terms.intervals.leftCols<kNamedErrors>() = added.named;
-  for (int i = 0; i < kLoopStates; ++i) terms.intervals(i, kNamedErrors + i) = added.box[i];
+  for (int i = 0; i < kMovingStates; ++i) terms.intervals(i, kNamedErrors + i) = added.box[i];
   periods_.push_back(std::move(terms));
   if (periods_.size() >= 2 * kJoined) join_periods();
   if (joined_.size() >= 2 * kBatches) join_batches();

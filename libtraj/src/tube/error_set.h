@@ -10,7 +10,7 @@
 
 namespace traj {
 
-inline constexpr int kErrorRows = 32;  // kLoopStates, padded
+inline constexpr int kErrorRows = kLoopStates;
 using ErrorMatrix = Eigen::Matrix<double, kErrorRows, kErrorRows>;
 using ErrorVector = Eigen::Matrix<double, kErrorRows, 1>;
 using ErrorColumns = Eigen::Matrix<double, kErrorRows, Eigen::Dynamic>;
@@ -27,7 +27,7 @@ struct PeriodErrors {
   Eigen::Matrix<double, kErrorRows, 3> gust = Eigen::Matrix<double, kErrorRows, 3>::Zero();
   Eigen::Matrix<double, kErrorRows, kNamedErrors> named =
       Eigen::Matrix<double, kErrorRows, kNamedErrors>::Zero();
-  ErrorVector box = ErrorVector::Zero();
+  ErrorVector box = ErrorVector::Zero();  // of the first kMovingStates
 };
 
 // Every deviation is a value of the sum of all terms. Terms grow fewer as they grow old: those of

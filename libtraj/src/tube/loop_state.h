@@ -57,9 +57,14 @@ struct LoopState {
   Triple<S> turned;    // rad/s: rates minus those that it saw last
   Triple<S> gust;      // m/s
   Triple<S> wind;      // m/s: the mean wind, which does not change
-  S lightness{};       // believed mass over true mass, which does not change
+  // What is not as the controller believes, and does not change.
+  S lightness{};      // believed mass over true mass
+  S drag{};           // true drag over believed drag
+  S quickness{};      // believed over true time constant of the motors
+  Triple<S> agility;  // believed over true inertia about each axis
 };
-inline constexpr int kLoopStates = 29;
+inline constexpr int kLoopStates = 34;
+inline constexpr int kMovingStates = 25;  // those before the wind
 
 template <class S, class F>
 void for_each(LoopState<S>& s, const F& f) {
@@ -71,7 +76,9 @@ void for_each(LoopState<S>& s, const F& f) {
   three(s.lift), three(s.velocity), three(s.lag);
   f(k++, s.heading);
   three(s.rates), three(s.spin), three(s.filtered), three(s.turned), three(s.gust), three(s.wind);
-  f(k, s.lightness);
+  f(k, s.lightness), f(k + 1, s.drag), f(k + 2, s.quickness);
+  k += 3;
+  three(s.agility);
 }
 
 }  // namespace traj

@@ -12,8 +12,11 @@ inline constexpr int kVelocity = 3;
 inline constexpr int kSpin = 13;
 inline constexpr int kTurned = 19;
 inline constexpr int kGust = 22;
-inline constexpr int kWind = 25;
+inline constexpr int kWind = 25;  // from here on they do not change
 inline constexpr int kLightness = 28;
+inline constexpr int kDrag = 29;
+inline constexpr int kQuickness = 30;
+inline constexpr int kAgility = 31;
 
 // Deviations e at the start of a period become map e + what is added, around `middle`. The gust's
 // ball is not added yet.

@@ -31,7 +31,7 @@ class CellProof {
         before_(std::lround(options.hover / kStep)),
         steps_(std::lround((track.duration() + options.settle) / kStep)),
         now_(reference(-before_)),
-        errors_(start(cell)) {
+        errors_(start(cell, d)) {
     out_.radius.assign(tube_periods(track.duration()), 0);
     place_.setZero();
     for (int i = 0; i < 3; ++i) {
@@ -52,19 +52,22 @@ class CellProof {
   Reference reference(long n) { return track_.at(static_cast<double>(n) * kStep, cursor_); }
 
   // At rest on the first reference, in the middle of the cell; also notes that state.
-  ErrorSet start(const TubeCell& cell) {
-    const double light = 1 / cell.mass_least;
-    const double heavy = 1 / cell.mass_most;
-    const TaylorModel lightness =
-        TaylorModel::symbol(0.5 * (light + heavy), kLightness, 0.5 * (light - heavy));
+  ErrorSet start(const TubeCell& cell, const Disturbances& d) {
+    const TaylorModel lightness = inverse_of(cell.mass_least, cell.mass_most, kLightness);
     LoopState<TaylorModel> state = resting(lightness);
+    state.drag = TaylorModel::symbol(1, kDrag, d.drag_error);
+    state.quickness = inverse_of(1 - d.motor_lag_error, 1 + d.motor_lag_error, kQuickness);
+    const auto agility = [&](int axis) {
+      return inverse_of(1 - d.inertia_error, 1 + d.inertia_error, kAgility + axis);
+    };
+    state.agility = {agility(0), agility(1), agility(2)};
     ErrorTerms held;
-    ErrorVector mass = ErrorVector::Zero();
+    held.intervals = ErrorColumns::Zero(kErrorRows, kErrorRows - kLightness);
     ErrorVector box = ErrorVector::Zero();
-    middle_.setZero();
     for_each(state, [&](int i, const TaylorModel& m) {
       middle_[i] = m.c;
-      mass[i] = m.l[kLightness] * (1 + 1e-14);
+      held.intervals.row(i) =
+          m.l.segment<kErrorRows - kLightness>(kLightness).matrix().transpose() * (1 + 1e-14);
       box[i] = m.r;
     });
     ErrorColumns wind = ErrorColumns::Zero(kErrorRows, 3);
@@ -72,9 +75,12 @@ class CellProof {
       middle_[kWind + i] = cell.wind[i];
       wind(kWind + i, i) = cell.wind_radius > 0 ? cell.wind_radius : cell.wind_half[i];
     }
-    (cell.wind_radius > 0 ? held.balls : held.intervals) = wind;
-    held.intervals.conservativeResize(Eigen::NoChange, held.intervals.cols() + 1);
-    held.intervals.rightCols<1>() = mass;
+    if (cell.wind_radius > 0) {
+      held.balls = wind;
+    } else {
+      held.intervals.conservativeResize(Eigen::NoChange, held.intervals.cols() + 3);
+      held.intervals.rightCols<3>() = wind;
+    }
     return ErrorSet(std::move(held), box);
   }
 
@@ -87,6 +93,13 @@ class CellProof {
     if (room > 0) return;
     out_.trouble =
         TubeTrouble{TubeTrouble::Kind::motor, 1, static_cast<double>(-before_) * kStep, room};
+  }
+
+  // 1 over anything in [least, most], with a symbol.
+  static TaylorModel inverse_of(double least, double most, int symbol) {
+    const double low = 1 / most;
+    const double high = 1 / least;
+    return TaylorModel::symbol(0.5 * (low + high), symbol, 0.5 * (high - low) * (1 + 1e-14));
   }
 
   static double named(const TaylorModel& m) {
@@ -188,7 +201,7 @@ class CellProof {
       out_.trouble = TubeTrouble{TubeTrouble::Kind::tilt, 0, static_cast<double>(n) * kStep, 0};
       return;
     }
-    for (int i = 0; i < kWind; ++i) {
+    for (int i = 0; i < kMovingStates; ++i) {
       middle_[i] = period.middle[i];
       period.added.box[i] += i >= kSpin && i < kTurned ? kSpinSlack : kSlack;
     }
@@ -205,6 +218,9 @@ class CellProof {
     FlightOptions flown = options_;
     flown.wind = {.mean = cell_.wind};
     flown.mass_error = 1 / middle_[kLightness] - 1;
+    flown.drag_error = middle_[kDrag] - 1;
+    flown.motor_lag_error = 1 / middle_[kQuickness] - 1;
+    flown.inertia_error = middle_.segment<3>(kAgility).cwiseInverse() - Vec3::Ones();
     const Flight flight = simulate(track_, flown, {});
     for (const auto& [sample, distance] : distances_) {
       const auto k = static_cast<std::size_t>(sample);

@@ -14,7 +14,7 @@ namespace traj {
 // remainder r. Source: Makino and Berz, Taylor models and other validated functional inclusion
 // methods, 2003.
 struct TaylorModel {
-  static constexpr int kSymbols = 44;
+  static constexpr int kSymbols = 46;
   using Slope = Eigen::Array<double, kSymbols, 1>;
 
   double c = 0;

@@ -66,13 +66,20 @@ double disagreement(const FlightOptions& options, double yaw, double mass_error,
     return n % 4 == 3 ? Vec3(push * std::sin(0.01 * static_cast<double>(n)) / (1 - kept) * 0.02)
                       : Vec3::Zero();
   };
-  const auto flown = testing::fly(track, options, {}, {wind, mass_error, towards});
+  testing::Fate fate{.wind = wind, .mass_error = mass_error, .towards = towards};
+  fate.drag_error = 3 * mass_error;
+  fate.motor_lag_error = -mass_error;
+  fate.inertia_error = mass_error * Vec3(1, -1, 2);
+  const auto flown = testing::fly(track, options, {}, fate);
   EXPECT_FALSE(flown.saturated);
 
   std::size_t cursor = 0;
   const long before = std::lround(options.hover / kStep);
   LoopState<double> s = numbers(resting(1 / (1 + mass_error)));
   s.wind = triple(wind);
+  s.drag = 1 + fate.drag_error;
+  s.quickness = 1 / (1 + fate.motor_lag_error);
+  s.agility = triple((Vec3::Ones() + fate.inertia_error).cwiseInverse());
   double worst = 0;
   const long steps = std::lround((track.duration() + options.settle) / kStep);
   Reference now = track.at(-options.hover, cursor);
@@ -111,9 +118,9 @@ TEST(LoopStep, BoundsEveryStep) {
   const FlightOptions options = flight_of("tello");  // drag and inertia differ by axis
   const Loop loop = loop_of(options);
   const ReferenceTrack track(bend(0.4));
-  const double sizes[] = {0.3,  0.3,  0.3, 0.1, 0.1, 0.1, 0.2, 0.2, 0.2, 0.02,
-                          0.2,  0.2,  0.2, 2,   2,   1,   2,   2,   1,   2e-3,
-                          2e-3, 1e-3, 0.5, 0.5, 0.5, 0.3, 0.3, 0.3, 0.02};
+  const double sizes[] = {0.3, 0.3, 0.3, 0.1, 0.1,  0.1, 0.2,  0.2,  0.2,  0.02, 0.2, 0.2,
+                          0.2, 2,   2,   1,   2,    2,   1,    2e-3, 2e-3, 1e-3, 0.5, 0.5,
+                          0.5, 0.3, 0.3, 0.3, 0.02, 0.1, 0.05, 0.04, 0.05, 0.06};
   int outside = 0;
   int bounded = 0;
   for (int k = 0; k < 300; ++k) {
@@ -125,7 +132,7 @@ TEST(LoopStep, BoundsEveryStep) {
     const double share = std::pow(10, random.uniform(-4, 0));
     const Vec3 lift = references.now.acceleration + kGravity * Vec3::UnitZ();
     for_each(model, [&](int i, TaylorModel& m) {
-      const double c = i < 3 ? lift[i] : i == 28 ? 1 : random.uniform(-1, 1) * sizes[i];
+      const double c = i < 3 ? lift[i] : i >= 28 ? 1 : random.uniform(-1, 1) * sizes[i];
       middle.push_back(c);
       radius.push_back(share * sizes[i]);
       m = TaylorModel::symbol(c, i, radius.back());

@@ -17,7 +17,8 @@ const ErrorVector& sizes() {
   static const ErrorVector out = [] {
     ErrorVector v = ErrorVector::Zero();
     v.head<kLoopStates>() << 0.3, 0.3, 0.3, 0.1, 0.1, 0.1, 0.2, 0.2, 0.2, 0.02, 0.2, 0.2, 0.2, 2, 2,
-        1, 2, 2, 1, 2e-3, 2e-3, 1e-3, 0.5, 0.5, 0.5, 0.3, 0.3, 0.3, 0.02;
+        1, 2, 2, 1, 2e-3, 2e-3, 1e-3, 0.5, 0.5, 0.5, 0.3, 0.3, 0.3, 0.02, 0.1, 0.05, 0.04, 0.05,
+        0.06;
     return v;
   }();
   return out;
@@ -51,7 +52,7 @@ TEST(PeriodSymbols, MapEveryDeviation) {
       const ErrorSet errors({}, box);
       ErrorVector middle = 0.5 * ErrorVector::Random().cwiseProduct(sizes());
       middle.head<3>() = Vec3(1, 0.5, 9.8);
-      middle[kLightness] = 1;
+      middle.tail<kErrorRows - kLightness>().setOnes();
       const PeriodSymbols symbols(loop.model, symbol_sizes(loop.model, errors));
       const PeriodMap period =
           symbols.map(loop_step(loop, symbols.state(middle), references).state);
@@ -83,8 +84,8 @@ TEST(PeriodSymbols, KnowWhatGustsDoMeanwhile) {
   const ErrorSet errors({}, ErrorVector::Zero());
   ErrorVector middle = ErrorVector::Zero();
   middle[2] = 9.80665;
-  middle[kLightness] = 1;
-  const PeriodSymbols symbols(loop.model, symbol_sizes(loop.model, errors));
+      middle.tail<kErrorRows - kLightness>().setOnes();
+      const PeriodSymbols symbols(loop.model, symbol_sizes(loop.model, errors));
   const PeriodMap period = symbols.map(loop_step(loop, symbols.state(middle), {}).state);
   double moved = 0;
   for (int j = 0; j < 4; ++j)

@@ -46,6 +46,29 @@ TEST(ProveTube, HoldsFlightsThatArePushedAsFarAsTheyCan) {
   expect_inside("tello", testing::line({1, 1, 0.5}, 4), {.mass_error = 1e-4});
 }
 
+// Flights whose vehicle is not as the controller believes, and each range by itself: the tube
+// grows, and holds them.
+TEST(ProveTube, HoldsVehiclesThatDifferFromWhatIsBelieved) {
+  const Disturbances all{.wind = {2, 0, 0},
+                         .gust_most = 0.2,
+                         .mass_error = 0.003,
+                         .drag_error = 0.03,
+                         .motor_lag_error = 0.02,
+                         .inertia_error = 0.02};
+  expect_inside("quad2kg", testing::line({6, 3, 2}, 4), all);
+  const ReferenceTrack track(testing::line({6, 3, 2}, 4));
+  const double none = prove_tube(track, flight_of("quad2kg"), {.wind = {2, 0, 0}}, {}).largest;
+  for (const auto one : {&Disturbances::mass_error, &Disturbances::drag_error,
+                         &Disturbances::motor_lag_error, &Disturbances::inertia_error}) {
+    Disturbances d{.wind = {2, 0, 0}};
+    d.*one = 0.02;
+    const ProvedTube tube = prove_tube(track, flight_of("quad2kg"), d, {});
+    ASSERT_FALSE(tube.trouble);
+    EXPECT_GT(tube.largest, none * (1 + 1e-6));
+    expect_inside("quad2kg", testing::line({6, 3, 2}, 4), d);
+  }
+}
+
 // The reference jumps to a speed when the trajectory begins.
 TEST(ProveTube, HoldsATrajectoryThatBeginsMoving) {
   State a, b;

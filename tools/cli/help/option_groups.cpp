@@ -79,7 +79,7 @@ constexpr Group kGroups[] = {
      "--wind --gusts=METRES/S --noise --controller --gains=WORD|FILE --feed-forward "
      "--delay=SECONDS --hover-time=SECONDS --settle=SECONDS --loop-period=SECONDS "
      "--mass-error=SHARE --proved-tube --wind-spread=METRES/S --gust-most=METRES/S "
-     "--gust-lag=SECONDS "
+     "--gust-lag=SECONDS --drag-error=SHARE --motor-lag-error=SHARE --inertia-error=SHARE "
      "--runs --tune --cost=WORDS"},
     {"Picture",
      "--view --camera --rate=HERTZ --at=SECONDS --image-size=WIDTHxHEIGHT --azimuth=DEGREES "

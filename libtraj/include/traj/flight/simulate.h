@@ -35,7 +35,11 @@ struct FlightOptions {
   Gains gains;
   ControlLaw law = ControlLaw::cascade;
   LoopPeriods periods;
-  double mass_error = 0;  // the true mass is (1 + this) times what the controller believes; > -1
+  // What is true of the vehicle is (1 + this) times what the controller believes; each > -1.
+  double mass_error = 0;
+  double drag_error = 0;
+  double motor_lag_error = 0;
+  Vec3 inertia_error = Vec3::Zero();  // about each axis
   WindSpec wind;
   SensorSpec sensors;
   std::uint64_t seed = 0;
@@ -43,7 +47,7 @@ struct FlightOptions {
   double settle = 3;  // s of hovering after the end
 };
 
-// The vehicle as it is: with its true mass.
+// The vehicle as it is.
 Quadrotor true_vehicle(const FlightOptions& options);
 
 // What to keep of a flight beside its errors.

@@ -33,6 +33,9 @@ inline constexpr std::array kDisturbanceRanges{
     DisturbanceRange{"gust_most", &Disturbances::gust_most, 0, 1e3},
     DisturbanceRange{"gust_lag", &Disturbances::gust_lag, 1e-6, 1e6},
     DisturbanceRange{"mass_error", &Disturbances::mass_error, 0, 0.5},
+    DisturbanceRange{"drag_error", &Disturbances::drag_error, 0, 0.5},
+    DisturbanceRange{"motor_lag_error", &Disturbances::motor_lag_error, 0, 0.5},
+    DisturbanceRange{"inertia_error", &Disturbances::inertia_error, 0, 0.5},
 };
 
 // Adds the members wind and those of kDisturbanceRanges.

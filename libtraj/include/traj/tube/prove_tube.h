@@ -30,7 +30,11 @@ struct Disturbances {
   double gust_most =
       0;  // m/s, >= 0: gusts g obey gust_lag g' = n - g, g = 0 at first, |n| <= gust_most
   double gust_lag = 1;    // s, > 0
-  double mass_error = 0;  // the true mass is within this share of what is believed, [0, 0.5]
+  // The vehicle is within these shares of what is believed, each in [0, 0.5].
+  double mass_error = 0;
+  double drag_error = 0;
+  double motor_lag_error = 0;  // of the motors' time constant
+  double inertia_error = 0;    // about each axis by itself
 };
 
 // Why nothing is proved.

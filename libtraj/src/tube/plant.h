@@ -1,0 +1,61 @@
+#pragma once
+
+// The vehicle between two steps of a millisecond, seen from the frame that its controller wants.
+
+#include <array>
+
+#include "traj/flight/quadrotor.h"
+#include "tube/wanted_frame.h"
+
+namespace traj {
+
+inline constexpr double kMillisecond = 1e-3;  // s
+
+// What moves, between two steps of a millisecond. Lag and heading are those of the wanted frame.
+template <class S>
+struct Body {
+  Triple<S> moved;  // m since the start of the period
+  Triple<S> velocity, lag;
+  S missing{};  // m/s2: what the motors' thrust lacks of what they are told
+  S heading{};
+  Triple<S> rates, spin;
+  Triple<S> turned;    // rad/s since the controller last ran
+  Triple<S> filtered;  // rad/s2: what it makes of that
+};
+
+// The body's frame, seen from the wanted one, in which the lift is (0, 0, its size).
+template <class S>
+Frame<S> frame_of(const Body<S>& body, const Wanted<S>& wanted) {
+  return frame_along<S>({-body.lag.x, -body.lag.y, wanted.frame.size - body.lag.z}, body.heading);
+}
+
+// What holds during a millisecond.
+template <class S>
+struct Held {
+  S thrust{};      // m/s2 that is asked for
+  Triple<S> spin;  // rad/s2 that are asked for
+  Triple<S> wind;
+  S lightness{}, drag{}, quickness{};
+  Triple<S> agility;
+};
+
+template <class S>
+Triple<S> gyroscopic(const Vec3& inertia, const Triple<S>& w) {  // J^-1 (w x J w)
+  const Triple<S> product = cross(w, scaled(triple(inertia), w));
+  return scaled(triple(inertia.cwiseInverse()), product);
+}
+
+// A millisecond later.
+template <class S>
+Body<S> runge_kutta(const Quadrotor& q, const Wanted<S>& wanted, const Body<S>& body,
+                    const Held<S>& held);
+
+// What the motors are told for it (N), as if no command were clipped.
+template <class S>
+std::array<S, 4> motors(const Quadrotor& q, const Held<S>& held);
+
+// Lag and heading as the next wanted frame sees them.
+template <class S>
+void turn_to(const Wanted<S>& wanted, const FrameChange<S>& d, Body<S>& body);
+
+}  // namespace traj
