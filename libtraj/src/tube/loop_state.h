@@ -2,12 +2,14 @@
 
 // The state of vehicle, controller and wind when the attitude loop runs, in numbers or in bounds.
 
+#include <array>
+
 #include "geom/base/vec3.h"
 #include "tube/taylor_model.h"
 
 namespace traj {
 
-// Three of a scalar that is a double or a TaylorModel.
+// Three of a scalar that is a double or a Taylor model.
 template <class S>
 struct Triple {
   S x{}, y{}, z{};
@@ -73,5 +75,22 @@ void for_each(LoopState<S>& s, const F& f) {
   three(s.rates), three(s.spin), three(s.filtered), three(s.turned), three(s.gust), three(s.wind);
   f(k, s.lightness);
 }
+
+// Where coordinates stand among the rows of a vector of deviations. Those from `wind` on do not
+// change.
+struct GeometricRows {
+  static constexpr int kStates = kLoopStates;
+  static constexpr int kPadded = 32;
+  static constexpr int kVelocity = 3;
+  static constexpr int kGust = 22;
+  static constexpr int kWind = 25;
+  static constexpr int kLightness = 28;
+  // Lift, velocity and heading are slow; what is fast soon follows them.
+  static constexpr std::array<int, 7> kSlow = {0, 1, 2, 3, 4, 5, 9};
+
+  template <class S>
+  using State = LoopState<S>;
+  using Model = TaylorModel;
+};
 
 }  // namespace traj

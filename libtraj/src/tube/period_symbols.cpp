@@ -9,28 +9,29 @@ constexpr double kRounding = 1e-12;  // far above what dividing by the scales lo
 
 }  // namespace
 
-PeriodSymbols::PeriodSymbols(const Quadrotor& model, const ErrorSet& errors)
+template <class Rows>
+PeriodSymbolsOf<Rows>::PeriodSymbolsOf(const Quadrotor& model, const ErrorSetOf<Rows>& errors)
     : drag_(model.drag.x() / model.mass), scale_(errors.bounds().cwiseMax(kLeastScale)) {
   if (drag_ == 0) return;
   for (int i = 0; i < 3; ++i) {
-    const int row = kGust + i;
+    const int row = Rows::kGust + i;
     mix_(row, i) = 1;
-    mix_(row, kVelocity + i) = -drag_;
+    mix_(row, Rows::kVelocity + i) = -drag_;
     mix_(row, row) = drag_;
-    mix_(row, kWind + i) = drag_;
+    mix_(row, Rows::kWind + i) = drag_;
     scale_[row] = std::max(errors.bound(mix_.row(row).transpose()), kLeastScale);
   }
 }
 
-LoopState<TaylorModel> PeriodSymbols::state(const ErrorVector& middle) const {
-  LoopState<TaylorModel> state;
-  for_each(state, [&](int i, TaylorModel& m) { m = TaylorModel::symbol(middle[i], i, scale_[i]); });
+template <class Rows>
+typename PeriodSymbolsOf<Rows>::State PeriodSymbolsOf<Rows>::state(const Vector& middle) const {
+  State state;
+  for_each(state, [&](int i, Model& m) { m = Model::symbol(middle[i], i, scale_[i]); });
   if (drag_ == 0) return state;
-  const auto gust = [&](int i, const TaylorModel& lift, const TaylorModel& velocity,
-                        const TaylorModel& wind) {
-    const TaylorModel acceleration = TaylorModel::symbol(0, kGust + i, scale_[kGust + i]);
-    return middle[kGust + i] + (1 / drag_) * (acceleration - (lift - middle[i])) +
-           (velocity - middle[kVelocity + i]) - (wind - middle[kWind + i]);
+  const auto gust = [&](int i, const Model& lift, const Model& velocity, const Model& wind) {
+    const Model acceleration = Model::symbol(0, Rows::kGust + i, scale_[Rows::kGust + i]);
+    return middle[Rows::kGust + i] + (1 / drag_) * (acceleration - (lift - middle[i])) +
+           (velocity - middle[Rows::kVelocity + i]) - (wind - middle[Rows::kWind + i]);
   };
   state.gust = {gust(0, state.lift.x, state.velocity.x, state.wind.x),
                 gust(1, state.lift.y, state.velocity.y, state.wind.y),
@@ -38,27 +39,31 @@ LoopState<TaylorModel> PeriodSymbols::state(const ErrorVector& middle) const {
   return state;
 }
 
-ErrorVector PeriodSymbols::slopes(const TaylorModel& m) const {
-  ErrorVector by_symbol = ErrorVector::Zero();
-  by_symbol.head<kLoopStates>() =
-      (m.l.head<kLoopStates>() / scale_.head<kLoopStates>().array()).matrix();
+template <class Rows>
+ErrorVectorOf<Rows> PeriodSymbolsOf<Rows>::slopes(const Model& m) const {
+  Vector by_symbol = Vector::Zero();
+  by_symbol.template head<Rows::kStates>() =
+      (m.l.template head<Rows::kStates>() / scale_.template head<Rows::kStates>().array()).matrix();
   return mix_.transpose() * by_symbol;
 }
 
-PeriodMap PeriodSymbols::map(const LoopState<TaylorModel>& after) const {
-  PeriodMap out;
-  LoopState<TaylorModel> state = after;
-  for_each(state, [&](int i, const TaylorModel& m) {
-    if (i >= kWind) {
+template <class Rows>
+PeriodMapOf<Rows> PeriodSymbolsOf<Rows>::map(const State& after) const {
+  PeriodMapOf<Rows> out;
+  State state = after;
+  for_each(state, [&](int i, const Model& m) {
+    if (i >= Rows::kWind) {
       out.map(i, i) = 1;
       return;
     }
     out.middle[i] = m.c;
     out.map.row(i) = slopes(m).transpose();
-    for (int k = 0; k < kNamedErrors; ++k) out.added.named(i, k) = m.l[kLoopStates + k];
+    for (int k = 0; k < kNamedErrors; ++k) out.added.named(i, k) = m.l[Rows::kStates + k];
     out.added.box[i] = m.r + kRounding * m.swing();
   });
   return out;
 }
+
+template class PeriodSymbolsOf<GeometricRows>;
 
 }  // namespace traj
