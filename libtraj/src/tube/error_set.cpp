@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "tube/cascade_state.h"
+
 namespace traj {
 namespace {
 
@@ -233,5 +235,6 @@ double ErrorSetOf<Rows>::reach(const Eigen::Matrix<double, 3, Rows::kPadded>& ma
 }
 
 template class ErrorSetOf<GeometricRows>;
+template class ErrorSetOf<CascadeRows>;
 
 }  // namespace traj

@@ -1,5 +1,7 @@
 #include "tube/period_symbols.h"
 
+#include "tube/cascade_state.h"
+
 namespace traj {
 namespace {
 
@@ -65,5 +67,6 @@ PeriodMapOf<Rows> PeriodSymbolsOf<Rows>::map(const State& after) const {
 }
 
 template class PeriodSymbolsOf<GeometricRows>;
+template class PeriodSymbolsOf<CascadeRows>;
 
 }  // namespace traj

@@ -10,6 +10,16 @@ using std::sqrt;
 
 namespace {
 
+// Anything within a radius; for numbers its middle, 0.
+template <class S>
+S loose(double radius) {
+  if constexpr (std::is_same_v<S, double>) {
+    return 0;
+  } else {
+    return S::within(0, radius);
+  }
+}
+
 template <class S>
 Body<S> advanced(const Body<S>& b, const Body<S>& d, double h) {
   Body<S> out = b;
@@ -86,6 +96,17 @@ std::array<S, 4> motors(const Quadrotor& q, const Held<S>& held) {
   return {mean - x - y - z, mean + x + y - z, mean + x - y + z, mean - x + y + z};
 }
 
+double gust_kept(double gust_lag, int milliseconds) {
+  return std::exp(-kMillisecond * milliseconds / gust_lag);
+}
+
+template <class S>
+Triple<S> wind_in(const Triple<S>& wind, const Triple<S>& gust, const LaggedGusts& gusts, int j) {
+  const double kept = gust_kept(gusts.lag, j);
+  const S more = loose<S>((1 - kept) * gusts.most);
+  return wind + kept * gust + Triple<S>{more, more, more};
+}
+
 template <class S>
 void turn_to(const Wanted<S>& wanted, const FrameChange<S>& d, Body<S>& body) {
   const Triple<S> x = frame_of(body, wanted).x;
@@ -104,10 +125,23 @@ template Body<double> runge_kutta(const Quadrotor&, const Wanted<double>&, const
                                   const Held<double>&);
 template Body<TaylorModel> runge_kutta(const Quadrotor&, const Wanted<TaylorModel>&,
                                        const Body<TaylorModel>&, const Held<TaylorModel>&);
+template Body<TaylorModelOf<50>> runge_kutta(const Quadrotor&, const Wanted<TaylorModelOf<50>>&,
+                                             const Body<TaylorModelOf<50>>&,
+                                             const Held<TaylorModelOf<50>>&);
 template std::array<double, 4> motors(const Quadrotor&, const Held<double>&);
 template std::array<TaylorModel, 4> motors(const Quadrotor&, const Held<TaylorModel>&);
+template std::array<TaylorModelOf<50>, 4> motors(const Quadrotor&, const Held<TaylorModelOf<50>>&);
+template Triple<double> wind_in(const Triple<double>&, const Triple<double>&, const LaggedGusts&,
+                                int);
+template Triple<TaylorModel> wind_in(const Triple<TaylorModel>&, const Triple<TaylorModel>&,
+                                     const LaggedGusts&, int);
+template Triple<TaylorModelOf<50>> wind_in(const Triple<TaylorModelOf<50>>&,
+                                           const Triple<TaylorModelOf<50>>&, const LaggedGusts&,
+                                           int);
 template void turn_to(const Wanted<double>&, const FrameChange<double>&, Body<double>&);
 template void turn_to(const Wanted<TaylorModel>&, const FrameChange<TaylorModel>&,
                       Body<TaylorModel>&);
+template void turn_to(const Wanted<TaylorModelOf<50>>&, const FrameChange<TaylorModelOf<50>>&,
+                      Body<TaylorModelOf<50>>&);
 
 }  // namespace traj

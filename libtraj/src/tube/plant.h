@@ -11,6 +11,12 @@ namespace traj {
 
 inline constexpr double kMillisecond = 1e-3;  // s
 
+// LaggedGusts that obey lag g' = n - g, with |n| <= most.
+struct LaggedGusts {
+  double lag = 1;   // s, > 0
+  double most = 0;  // m/s
+};
+
 // What moves, between two steps of a millisecond. Lag and heading are those of the wanted frame.
 template <class S>
 struct Body {
@@ -52,6 +58,21 @@ Body<S> runge_kutta(const Quadrotor& q, const Wanted<S>& wanted, const Body<S>& 
 // What the motors are told for it (N), as if no command were clipped.
 template <class S>
 std::array<S, 4> motors(const Quadrotor& q, const Held<S>& held);
+
+// The share of a gust that is left after so many milliseconds.
+double gust_kept(double gust_lag, int milliseconds);
+
+// What blows in a period's millisecond j. Anything within `gust_most` may have come up meanwhile.
+template <class S>
+Triple<S> wind_in(const Triple<S>& wind, const Triple<S>& gust, const LaggedGusts& gusts, int j);
+
+// Makes remainders symbols, k and the next two, so that what follows from them is known to be
+// linear.
+inline void name_errors(Triple<double>&, int) {}
+template <int N>
+void name_errors(Triple<TaylorModelOf<N>>& t, int k) {
+  t = {t.x.named(k), t.y.named(k + 1), t.z.named(k + 2)};
+}
 
 // Lag and heading as the next wanted frame sees them.
 template <class S>

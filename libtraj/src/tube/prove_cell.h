@@ -28,4 +28,8 @@ struct CellTube {
 CellTube prove_cell(const ReferenceTrack& track, const FlightOptions& options,
                     const Disturbances& disturbances, const TubeCell& cell);
 
+// The same under the cascade.
+CellTube prove_cascade_cell(const ReferenceTrack& track, const FlightOptions& options,
+                            const Disturbances& disturbances, const TubeCell& cell);
+
 }  // namespace traj

@@ -47,6 +47,12 @@ void add(ProvedTube& tube, const CellTube& cell) {
   ++tube.cells;
 }
 
+CellTube prove(const ReferenceTrack& track, const FlightOptions& options, const Disturbances& d,
+               const TubeCell& cell) {
+  return options.law == ControlLaw::cascade ? prove_cascade_cell(track, options, d, cell)
+                                            : prove_cell(track, options, d, cell);
+}
+
 // The middle alone: if its gusts are too much, no smaller cells help.
 TubeCell middle_of(TubeCell cell) {
   cell.wind_radius = 0;
@@ -58,15 +64,14 @@ TubeCell middle_of(TubeCell cell) {
 
 ProvedTube prove_tube(const ReferenceTrack& track, const FlightOptions& options,
                       const Disturbances& d, const geom::Execution& run, const TubeOptions& tube) {
-  assert(options.hover >= kStep && options.law == ControlLaw::geometric &&
-         options.periods.attitude >= 1 && options.periods.attitude <= 4);
+  assert(options.hover >= kStep && options.periods.attitude >= 1 && options.periods.attitude <= 4);
   ProvedTube out;
   std::vector<TubeCell> cells = {whole(d)};
   bool first = true;
   while (!cells.empty()) {
     std::vector<CellTube> proved(cells.size());
     geom::parallel_for(cells.size(), run,
-                       [&](std::size_t i) { proved[i] = prove_cell(track, options, d, cells[i]); });
+                       [&](std::size_t i) { proved[i] = prove(track, options, d, cells[i]); });
     std::vector<TubeCell> next;
     std::optional<TubeTrouble> trouble;
     bool divisible = true;  // no failed cell that cannot be halved
@@ -83,7 +88,7 @@ ProvedTube prove_tube(const ReferenceTrack& track, const FlightOptions& options,
       }
     }
     if (trouble && first && divisible) {
-      const CellTube middle = prove_cell(track, options, d, middle_of(cells.front()));
+      const CellTube middle = prove(track, options, d, middle_of(cells.front()));
       if (middle.trouble) trouble = middle.trouble, divisible = false;
     }
     first = false;

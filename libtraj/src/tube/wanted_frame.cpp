@@ -74,11 +74,16 @@ FrameChange<S> change_of(const Wanted<S>& wanted, const Triple<S>& change, doubl
 
 template Frame<double> frame_along(const Triple<double>&, const double&);
 template Frame<TaylorModel> frame_along(const Triple<TaylorModel>&, const TaylorModel&);
+template Frame<TaylorModelOf<50>> frame_along(const Triple<TaylorModelOf<50>>&,
+                                              const TaylorModelOf<50>&);
 template Wanted<double> wanted_at(const Triple<double>&, const Reference&);
 template Wanted<TaylorModel> wanted_at(const Triple<TaylorModel>&, const Reference&);
+template Wanted<TaylorModelOf<50>> wanted_at(const Triple<TaylorModelOf<50>>&, const Reference&);
 template FrameChange<double> change_of(const Wanted<double>&, const Triple<double>&, double,
                                        double);
 template FrameChange<TaylorModel> change_of(const Wanted<TaylorModel>&, const Triple<TaylorModel>&,
                                             double, double);
+template FrameChange<TaylorModelOf<50>> change_of(const Wanted<TaylorModelOf<50>>&,
+                                                  const Triple<TaylorModelOf<50>>&, double, double);
 
 }  // namespace traj

@@ -34,17 +34,32 @@ struct Disturbances {
 
 // Why nothing is proved.
 struct TubeTrouble {
-  enum class Kind { motor, tilt, unstable, steps } kind = Kind::motor;
+  enum class Kind {
+    motor,
+    tilt,
+    unstable,
+    steps,
+    velocity,
+    acceleration,
+    lift,
+    lean,
+    rates
+  } kind = Kind::motor;
   int motor = 0;    // 1 to 4: the command of this motor may leave its range,
   double time = 0;  // s, from the trajectory's start: then,
   double room = 0;  // N, <= 0: by as much as this
 };
 
-inline constexpr geom::Words<TubeTrouble::Kind, 4> kTubeTroubleWords{{
+inline constexpr geom::Words<TubeTrouble::Kind, 9> kTubeTroubleWords{{
     {TubeTrouble::Kind::motor, "motor"},
     {TubeTrouble::Kind::tilt, "tilt"},
     {TubeTrouble::Kind::unstable, "unstable"},
     {TubeTrouble::Kind::steps, "steps"},  // a millisecond is too coarse for the vehicle
+    {TubeTrouble::Kind::velocity, "velocity"},
+    {TubeTrouble::Kind::acceleration, "acceleration"},
+    {TubeTrouble::Kind::lift, "lift"},
+    {TubeTrouble::Kind::lean, "lean"},
+    {TubeTrouble::Kind::rates, "rates"},
 }};
 
 struct ProvedTube {

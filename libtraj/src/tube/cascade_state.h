@@ -1,0 +1,63 @@
+#pragma once
+
+// The state of vehicle, cascade and wind when the attitude loop runs, in numbers or in bounds.
+
+#include "tube/loop_state.h"
+
+namespace traj {
+
+// Before the controller runs. `lift` is what it asks for since the position loop last ran. The
+// wanted frame has its z axis along that and the reference's heading of now.
+template <class S>
+struct CascadeState {
+  Triple<S> lift;      // m/s2: what the position loop asked for, gravity included
+  Triple<S> velocity;  // m/s
+  Triple<S> lag;       // m/s2, in the wanted frame: lift - thrust / believed mass
+  S heading{};         // rad, in the wanted frame: of the body's x axis
+  Triple<S> rates;     // rad/s, about the body's axes
+  Triple<S> spin;      // rad/s2: the motors' torque over inertia
+  Triple<S>
+      filtered;  // rad/s2: the controller's low-passed angular acceleration, rates of now seen
+  Triple<S> integral;  // rad/s2: of the rate loop
+  Triple<S> missed;    // m/s: the velocity loop's error when it last ran,
+  Triple<S> drift;     // m/s: how that has changed since then
+  Triple<S> slope;     // m/s2: its derivative, low-passed
+  Triple<S> gust;      // m/s
+  Triple<S> wind;      // m/s: the mean wind, which does not change
+  S lightness{};       // believed mass over true mass, which does not change
+};
+
+template <class S, class F>
+void for_each(CascadeState<S>& s, const F& f) {
+  int k = 0;
+  const auto three = [&](Triple<S>& t) {
+    f(k, t.x), f(k + 1, t.y), f(k + 2, t.z);
+    k += 3;
+  };
+  three(s.lift), three(s.velocity), three(s.lag);
+  f(k++, s.heading);
+  three(s.rates), three(s.spin), three(s.filtered), three(s.integral);
+  three(s.missed), three(s.drift), three(s.slope), three(s.gust), three(s.wind);
+  f(k, s.lightness);
+}
+
+// Where coordinates stand among the rows of a vector of deviations. Those from `wind` on do not
+// change.
+struct CascadeRows {
+  static constexpr int kStates = 38;
+  static constexpr int kPadded = 40;
+  static constexpr int kVelocity = 3;
+  static constexpr int kMissed = 22;
+  static constexpr int kDrift = 25;
+  static constexpr int kGust = 31;
+  static constexpr int kWind = 34;
+  static constexpr int kLightness = 37;
+  // Lift, velocity, heading, the integral of rates and the velocity's error are slow.
+  static constexpr std::array<int, 13> kSlow = {0, 1, 2, 3, 4, 5, 9, 19, 20, 21, 22, 23, 24};
+
+  template <class S>
+  using State = CascadeState<S>;
+  using Model = TaylorModelOf<50>;
+};
+
+}  // namespace traj
