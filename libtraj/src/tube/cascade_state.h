@@ -10,18 +10,19 @@ namespace traj {
 // wanted frame has its z axis along that and the reference's heading of now.
 template <class S>
 struct CascadeState {
-  Triple<S> lift;      // m/s2: what the position loop asked for, gravity included
-  Triple<S> velocity;  // m/s
-  Triple<S> lag;       // m/s2, in the wanted frame: lift - thrust / believed mass
-  S heading{};         // rad, in the wanted frame: of the body's x axis
-  Triple<S> rates;     // rad/s, about the body's axes
-  Triple<S> spin;      // rad/s2: the motors' torque over inertia
+  Triple<S> lift;        // m/s2: what the position loop asked for, gravity included
+  Triple<S> velocity;    // m/s
+  S tilt_x{}, tilt_y{};  // of the body's z axis, in the wanted frame
+  S missing{};           // m/s2: the lift's size minus thrust / believed mass
+  S heading{};           // rad, in the wanted frame: of the body's x axis
+  Triple<S> rates;       // rad/s, about the body's axes
+  Triple<S> spin;        // rad/s2: the motors' torque over inertia
   Triple<S>
       filtered;  // rad/s2: the controller's low-passed angular acceleration, rates of now seen
   Triple<S> integral;  // rad/s2: of the rate loop
-  Triple<S> missed;    // m/s: the velocity loop's error when it last ran,
-  Triple<S> drift;     // m/s: how that has changed since then
+  Triple<S> missed;    // m/s: the velocity loop's error when it last ran
   Triple<S> slope;     // m/s2: its derivative, low-passed
+  Triple<S> due;       // m/s2: how the lift would change if the position loop ran now
   Triple<S> gust;      // m/s
   Triple<S> wind;      // m/s: the mean wind, which does not change
   S lightness{};       // believed mass over true mass, which does not change
@@ -34,10 +35,11 @@ void for_each(CascadeState<S>& s, const F& f) {
     f(k, t.x), f(k + 1, t.y), f(k + 2, t.z);
     k += 3;
   };
-  three(s.lift), three(s.velocity), three(s.lag);
-  f(k++, s.heading);
+  three(s.lift), three(s.velocity);
+  f(k, s.tilt_x), f(k + 1, s.tilt_y), f(k + 2, s.missing), f(k + 3, s.heading);
+  k += 4;
   three(s.rates), three(s.spin), three(s.filtered), three(s.integral);
-  three(s.missed), three(s.drift), three(s.slope), three(s.gust), three(s.wind);
+  three(s.missed), three(s.slope), three(s.due), three(s.gust), three(s.wind);
   f(k, s.lightness);
 }
 
@@ -46,9 +48,14 @@ void for_each(CascadeState<S>& s, const F& f) {
 struct CascadeRows {
   static constexpr int kStates = 38;
   static constexpr int kPadded = 40;
+  static constexpr int kNamed =
+      18;  // errors: of the rates that are wanted, of torques, of the velocity
+  static constexpr int kNamedKinds = 9;
+  static constexpr int kind_of_named(int k) { return k < 3 ? k : k < 15 ? 3 + k % 3 : 6 + k % 3; }
   static constexpr int kVelocity = 3;
   static constexpr int kMissed = 22;
-  static constexpr int kDrift = 25;
+  static constexpr int kSlope = 25;
+  static constexpr int kDue = 28;
   static constexpr int kGust = 31;
   static constexpr int kWind = 34;
   static constexpr int kLightness = 37;
@@ -57,7 +64,7 @@ struct CascadeRows {
 
   template <class S>
   using State = CascadeState<S>;
-  using Model = TaylorModelOf<50>;
+  using Model = CascadeModel;
 };
 
 }  // namespace traj

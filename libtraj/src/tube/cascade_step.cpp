@@ -24,48 +24,63 @@ Wanted<S> wanted_for(const Triple<S>& lift, const Reference& reference) {
 // What the position loop keeps from run to run.
 template <class S>
 struct Outer {
-  Triple<S> missed, slope;
-  Vec3 asked;  // m/s2: the reference's acceleration when it last ran
+  Triple<S> lift, missed, slope;
+  Triple<S> lead;  // m/s2: due + of_drift * velocity, which knows no force
+  Vec3 asked;      // m/s2: the reference's acceleration when it last ran
 };
 
-// Position and velocity loops at once. Since they last ran, the velocity's error has changed by
-// `drift`. Returns how the lift changes.
 template <class S>
-Triple<S> follow(const CascadeLoop& loop, Outer<S>& outer, const Triple<S>& drift,
-                 const Vec3& asked) {
-  const PidGains& k = loop.gains.velocity;
-  const double period = kMillisecond * loop.periods.position;
-  const double share = period / (period + kVelocityFilter);
-  const Triple<S> steeper = (share / period) * drift - share * outer.slope;
-  outer.missed = outer.missed + drift;
-  outer.slope = outer.slope + steeper;
-  const Vec3 forward = loop.gains.feed_forward.acceleration * (asked - outer.asked);
-  outer.asked = asked;
-  return triple(forward) + scaled(triple(k.p), drift) +
-         scaled(triple(Vec3(period * k.i)), outer.missed) + scaled(triple(k.d), steeper);
+Triple<S> due_of(const LiftGains& k, const Outer<S>& outer, const Triple<S>& velocity) {
+  return outer.lead - scaled(triple(k.of_drift), velocity);
+}
+
+// How the velocity's error has changed since the position loop last ran.
+template <class S>
+Triple<S> drift_of(const LiftGains& k, const Outer<S>& outer, const Triple<S>& due) {
+  const Triple<S> changed =
+      due - scaled(triple(k.of_missed), outer.missed) + scaled(triple(k.of_slope), outer.slope);
+  return scaled(triple(Vec3(k.of_drift.cwiseInverse())), changed);
 }
 
 template <class S>
-PositionRun<S> run_of(const CascadeLoop& loop, const Outer<S>& outer, const Triple<S>& lift,
-                      const Triple<S>& velocity) {
+Triple<S> due_without_drift(const LiftGains& k, const Outer<S>& outer) {
+  return scaled(triple(k.of_missed), outer.missed) - scaled(triple(k.of_slope), outer.slope);
+}
+
+// Position and velocity loops at once. Returns how the lift changes.
+template <class S>
+Triple<S> follow(const CascadeLoop& loop, const Vec3& asked, const Triple<S>& velocity,
+                 Outer<S>& outer) {
+  const LiftGains k(loop);
+  const Triple<S> due = due_of(k, outer, velocity);
+  const Triple<S> drift = drift_of(k, outer, due);
+  const Vec3 forward = loop.gains.feed_forward.acceleration * (asked - outer.asked);
+  const Triple<S> change = triple(forward) + due;
+  outer.lift = outer.lift + change;
+  outer.missed = outer.missed + drift;
+  outer.slope = (1 - k.share) * outer.slope + (k.share / k.period) * drift;
+  outer.lead = due_without_drift(k, outer) + scaled(triple(k.of_drift), velocity);
+  outer.asked = asked;
+  return change;
+}
+
+template <class S>
+PositionRun<S> run_of(const CascadeLoop& loop, const Outer<S>& outer, const Triple<S>& velocity) {
   PositionRun<S> run;
   run.velocity = outer.missed + velocity;
-  run.lift = lift;
-  run.acceleration = lift;
-  run.acceleration.z = lift.z - kGravity;
-  const Vec3 integrated = kMillisecond * loop.periods.position * loop.gains.velocity.i;
-  run.before = run.acceleration - scaled(triple(integrated), outer.missed);
+  run.lift = outer.lift;
+  run.acceleration = outer.lift;
+  run.acceleration.z = outer.lift.z - kGravity;
+  run.before = run.acceleration - scaled(triple(LiftGains(loop).of_missed), outer.missed);
   return run;
 }
 
 // Brescianini, Hehn and D'Andrea 2013, section IV, for a body whose axes in the wanted frame are
-// those of `is`: the wanted z axis lies at (x, y, z) in the body's frame, and x and y are those of
-// the lag over the lift.
+// those of `is`. The wanted z axis is (x, y, z) in the body's frame.
 template <class S>
-Triple<S> tilt_first(const Frame<S>& is, const Triple<S>& lag, const S& lift_size) {
-  const S shrink = inverse(lift_size);
-  const S x = shrink * dot(is.x, lag);
-  const S y = shrink * dot(is.y, lag);
+Triple<S> tilt_first(const Frame<S>& is) {
+  const S x = is.x.z;
+  const S y = is.y.z;
   const S half_tilt = sqrt(0.5 * (1.0 + is.z.z));  // its cosine
   // How the body's x axis points after the shortest turn that brings its z axis there.
   const S across = is.x.y - is.x.z * is.z.y * inverse(1.0 + is.z.z);
@@ -78,109 +93,151 @@ Triple<S> tilt_first(const Frame<S>& is, const Triple<S>& lag, const S& lift_siz
 
 // The rates that are wanted.
 template <class S>
-Triple<S> orient(const CascadeLoop& loop, const Wanted<S>& wanted, const Body<S>& body,
+Triple<S> orient(const CascadeLoop& loop, const Wanted<S>& wanted, const TiltedBody<S>& body,
                  const Reference& reference) {
   const Frame<S> is = frame_of(body, wanted);
-  const Triple<S> error = tilt_first(is, body.lag, wanted.frame.size);
+  const Triple<S> error = tilt_first(is);
   const double forward = loop.gains.feed_forward.body_rates;
   const Triple<S> rates = scaled(triple(loop.gains.attitude), error);
   if (forward == 0) return rates;
-  return rates + forward * wanted_at(wanted.lift, reference).rates;
+  return rates + forward * rates_along(wanted.frame, reference);
 }
 
-// The commands of this millisecond. The thrust that is missing changes with them.
+// The commands of this millisecond.
 template <class S>
 Held<S> turn(const CascadeLoop& loop, const Wanted<S>& wanted, const Triple<S>& rates,
-             Triple<S>& integral, Body<S>& body) {
+             Triple<S>& integral, const TiltedBody<S>& body) {
   const PidGains& k = loop.gains.rates;
   const Triple<S> error = rates - body.rates;
   integral = integral + scaled(triple(Vec3(kMillisecond * k.i)), error);
   Held<S> held;
   held.thrust = wanted.frame.size;
-  const S size = frame_of(body, wanted).size;
-  const S shrink = inverse(wanted.frame.size + size);
-  const S missing = wanted.frame.size - size;
-  // The same, of which all is small with the lag.
-  body.missing = body.lag.z - shrink * (dot(body.lag, body.lag) - body.lag.z * missing);
   held.spin = scaled(triple(k.p), error) + integral - scaled(triple(k.d), body.filtered) +
               gyroscopic(loop.model.inertia, body.rates);
   return held;
 }
 
+// A period while it runs.
+template <class S>
+class Period {
+ public:
+  Period(const CascadeLoop& loop, const CascadeState<S>& s, const CascadeReferences& references)
+      : loop_(loop),
+        start_(s),
+        references_(references),
+        gains_(loop),
+        outer_{s.lift, s.missed, s.slope, s.due + scaled(triple(gains_.of_drift), s.velocity),
+               references.last_asked},
+        wanted_(wanted_for(s.lift, references.at[0])),
+        integral_(s.integral) {
+    body_.velocity = s.velocity;
+    body_.tilt_x = s.tilt_x;
+    body_.tilt_y = s.tilt_y;
+    body_.missing = s.missing;
+    body_.heading = s.heading;
+    body_.rates = s.rates;
+    body_.spin = s.spin;
+    body_.filtered = s.filtered;
+  }
+
+  CascadeStep<S> run() {
+    const int period = static_cast<int>(references_.at.size()) - 1;
+    for (int j = 0; j < period; ++j) {
+      if ((references_.step + j) % loop_.periods.position == 0) run_position(j);
+      if (j == 0) {
+        step_.rates = orient(loop_, wanted_, body_, references_.at[0]);
+        name_errors(step_.rates, CascadeRows::kStates);
+      }
+      advance(j);
+    }
+    const double yaw = references_.at[0].yaw;
+    const double next_yaw = references_.at[period].yaw;
+    if (next_yaw != yaw) turn_to(wanted_, change_of(wanted_, Triple<S>{}, yaw, next_yaw), body_);
+    name_errors(body_.velocity, CascadeRows::kStates + 3 + 3 * kLongestPeriod);
+    step_.state = state();
+    return std::move(step_);
+  }
+
+ private:
+  void run_position(int j) {
+    const Reference& frame = references_.at[0];
+    const Triple<S> change = follow(loop_, references_.at[j].acceleration, body_.velocity, outer_);
+    turn_to(wanted_, change_of(wanted_, change, frame.yaw, frame.yaw), body_);
+    wanted_ = wanted_for(outer_.lift, frame);
+    step_.runs.push_back(run_of(loop_, outer_, body_.velocity));
+    step_.runs.back().millisecond = j;
+  }
+
+  // A millisecond of the rate loop and the vehicle.
+  void advance(int j) {
+    Held<S> held = turn(loop_, wanted_, step_.rates, integral_, body_);
+    name_errors(held.spin, CascadeRows::kStates + 3 + 3 * j);
+    step_.commands.push_back(motors(loop_.model, held));
+    held.wind = wind_in(start_.wind, start_.gust, loop_.gusts, j);
+    held.lightness = start_.lightness;
+    const TiltedBody<S> before = body_;
+    body_ = runge_kutta(loop_.model, wanted_, before, held);
+    body_.filtered =
+        (1 - kFilterShare) * body_.filtered + (kFilterShare / kMillisecond) * body_.turned;
+    body_.turned = Triple<S>{};
+    step_.moved.push_back(body_.moved);
+    step_.upright.push_back(in_world(wanted_.frame, frame_of(body_, wanted_).z).z);
+    const Reference& now = references_.at[j];
+    const Reference& next = references_.at[j + 1];
+    const Vec3& k = loop_.gains.position.p;
+    const Vec3 led = k.cwiseProduct(next.position - now.position) +
+                     loop_.gains.feed_forward.velocity * (next.velocity - now.velocity);
+    const Triple<S> drift = triple(led) - scaled(triple(k), body_.moved - before.moved);
+    outer_.lead = outer_.lead + scaled(triple(gains_.of_drift), drift);
+  }
+
+  CascadeState<S> state() const {
+    CascadeState<S> out;
+    out.lift = outer_.lift;
+    out.velocity = body_.velocity;
+    out.tilt_x = body_.tilt_x;
+    out.tilt_y = body_.tilt_y;
+    out.missing = body_.missing;
+    out.heading = body_.heading;
+    out.rates = body_.rates;
+    out.spin = body_.spin;
+    out.filtered = body_.filtered;
+    out.integral = integral_;
+    out.missed = outer_.missed;
+    out.slope = outer_.slope;
+    out.due = due_of(gains_, outer_, body_.velocity);
+    const int period = static_cast<int>(references_.at.size()) - 1;
+    out.gust = gust_kept(loop_.gusts.lag, period) * start_.gust;
+    out.wind = start_.wind;
+    out.lightness = start_.lightness;
+    return out;
+  }
+
+  const CascadeLoop& loop_;
+  const CascadeState<S>& start_;
+  const CascadeReferences& references_;
+  LiftGains gains_;
+  Outer<S> outer_;
+  Wanted<S> wanted_;
+  TiltedBody<S> body_;
+  Triple<S> integral_;
+  CascadeStep<S> step_;
+};
+
 }  // namespace
 
+LiftGains::LiftGains(const CascadeLoop& loop)
+    : period(kMillisecond * loop.periods.position), share(period / (period + kVelocityFilter)) {
+  const PidGains& k = loop.gains.velocity;
+  of_missed = period * k.i;
+  of_slope = share * k.d;
+  of_drift = k.p + of_missed + of_slope / period;
+}
+
 template <class S>
-CascadeStep<S> cascade_step(const CascadeLoop& loop, const CascadeState<S>& s,
+CascadeStep<S> cascade_step(const CascadeLoop& loop, const CascadeState<S>& state,
                             const CascadeReferences& references) {
-  const Gains& gains = loop.gains;
-  const std::vector<Reference>& at = references.at;
-  const int period = static_cast<int>(at.size()) - 1;
-  Body<S> body;
-  body.velocity = s.velocity;
-  body.lag = s.lag;
-  body.heading = s.heading;
-  body.rates = s.rates;
-  body.spin = s.spin;
-  body.filtered = s.filtered;
-  Outer<S> outer{s.missed, s.slope, references.last_asked};
-  Triple<S> integral = s.integral;
-  Triple<S> drift = s.drift;
-  Triple<S> moved{};  // at the start of the drift
-  Triple<S> velocity = s.velocity;
-  int since = 0;
-  const auto drifted = [&](int j) {
-    const Vec3 led = gains.position.p.cwiseProduct(at[j].position - at[since].position) +
-                     gains.feed_forward.velocity * (at[j].velocity - at[since].velocity);
-    return drift + triple(led) - scaled(triple(gains.position.p), body.moved - moved) -
-           (body.velocity - velocity);
-  };
-  Wanted<S> wanted = wanted_for(s.lift, at[0]);
-  CascadeStep<S> step;
-  for (int j = 0; j < period; ++j) {
-    if ((references.step + j) % loop.periods.position == 0) {
-      const Triple<S> change =
-          follow(loop, outer, j > 0 ? drifted(j) : s.drift, at[j].acceleration);
-      turn_to(wanted, change_of(wanted, change, at[0].yaw, at[0].yaw), body);
-      wanted = wanted_for(wanted.lift + change, at[0]);
-      step.runs.push_back(run_of(loop, outer, wanted.lift, body.velocity));
-      step.runs.back().millisecond = j;
-      drift = Triple<S>{};
-      moved = body.moved;
-      velocity = body.velocity;
-      since = j;
-    }
-    if (j == 0) step.rates = orient(loop, wanted, body, at[0]);
-    Held<S> held = turn(loop, wanted, step.rates, integral, body);
-    name_errors(held.spin, CascadeRows::kStates + 3 * j);
-    step.commands.push_back(motors(loop.model, held));
-    held.wind = wind_in(s.wind, s.gust, loop.gusts, j);
-    held.lightness = s.lightness;
-    body = runge_kutta(loop.model, wanted, body, held);
-    body.filtered =
-        (1 - kFilterShare) * body.filtered + (kFilterShare / kMillisecond) * body.turned;
-    body.turned = Triple<S>{};
-    step.moved.push_back(body.moved);
-    step.upright.push_back(in_world(wanted.frame, frame_of(body, wanted).z).z);
-  }
-  if (at[period].yaw != at[0].yaw) {
-    turn_to(wanted, change_of(wanted, Triple<S>{}, at[0].yaw, at[period].yaw), body);
-  }
-  CascadeState<S>& out = step.state;
-  out.lift = wanted.lift;
-  out.velocity = body.velocity;
-  out.lag = body.lag;
-  out.heading = body.heading;
-  out.rates = body.rates;
-  out.spin = body.spin;
-  out.filtered = body.filtered;
-  out.integral = integral;
-  out.missed = outer.missed;
-  out.drift = drifted(period);
-  out.slope = outer.slope;
-  out.gust = gust_kept(loop.gusts.lag, period) * s.gust;
-  out.wind = s.wind;
-  out.lightness = s.lightness;
-  return step;
+  return Period<S>(loop, state, references).run();
 }
 
 using Model = CascadeRows::Model;
@@ -193,7 +250,7 @@ template CascadeStep<Model> cascade_step(const CascadeLoop&, const CascadeState<
 CascadeState<Model> cascade_at_rest(const Model& lightness) {
   CascadeState<Model> s;
   s.lift.z = kGravity;
-  s.lag.z = kGravity - kGravity * inverse(lightness);
+  s.missing = kGravity - kGravity * inverse(lightness);
   s.lightness = lightness;
   return s;
 }

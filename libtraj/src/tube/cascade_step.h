@@ -21,6 +21,19 @@ struct CascadeLoop {
   LaggedGusts gusts;
 };
 
+// How the velocity's error makes the lift change when the position loop runs: by drift * of_drift +
+// missed * of_missed - slope * of_slope, axis by axis, where the error has changed by `drift` since
+// the loop last ran.
+struct LiftGains {
+  explicit LiftGains(const CascadeLoop& loop);
+
+  double period;  // s
+  double share;   // of the low pass
+  Vec3 of_drift;  // 1/s, > 0
+  Vec3 of_missed;
+  Vec3 of_slope;
+};
+
 // The references of a period.
 struct CascadeReferences {
   std::vector<Reference> at;       // after 0, 1, ... ms, the period's end included

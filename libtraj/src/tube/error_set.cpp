@@ -21,8 +21,8 @@ struct Joining {
   using ErrorTerms = ErrorTermsOf<Rows>;
   static constexpr int kErrorRows = Rows::kPadded;
   static constexpr auto& kSlow = Rows::kSlow;
-  static constexpr int kColumns = kNamedErrors + Rows::kStates;  // intervals that a period adds
-  static constexpr int kKinds = 3 + Rows::kStates;  // of them: torques about an axis, coordinates
+  static constexpr int kColumns = Rows::kNamed + Rows::kStates;     // intervals that a period adds
+  static constexpr int kKinds = Rows::kNamedKinds + Rows::kStates;  // of them
 
   static ErrorVector sums(const ErrorColumns& intervals) {
     if (intervals.cols() == 0) return ErrorVector::Zero();
@@ -106,7 +106,8 @@ struct Joining {
   static ErrorColumns add_up_kinds(ErrorColumns& columns) {
     const auto kind = [](Eigen::Index column) {
       const Eigen::Index k = column % kColumns;
-      return k < kNamedErrors ? k % 3 : 3 + k - kNamedErrors;
+      return k < Rows::kNamed ? Rows::kind_of_named(static_cast<int>(k))
+                              : Rows::kNamedKinds + static_cast<int>(k) - Rows::kNamed;
     };
     ErrorColumns sum = ErrorColumns::Zero(kErrorRows, kKinds);
     Eigen::VectorXd count = Eigen::VectorXd::Zero(kKinds);
@@ -142,8 +143,8 @@ void ErrorSetOf<Rows>::advance(const Matrix& map, const PeriodErrorsOf<Rows>& ad
     for (Terms& terms : *level) move(terms);
   }
   Terms terms{added.gust, ErrorColumnsOf<Rows>::Zero(Rows::kPadded, Joining<Rows>::kColumns)};
-  terms.intervals.template leftCols<kNamedErrors>() = added.named;
-  for (int i = 0; i < Rows::kStates; ++i) terms.intervals(i, kNamedErrors + i) = added.box[i];
+  terms.intervals.template leftCols<Rows::kNamed>() = added.named;
+  for (int i = 0; i < Rows::kStates; ++i) terms.intervals(i, Rows::kNamed + i) = added.box[i];
   periods_.push_back(std::move(terms));
   if (periods_.size() >= 2 * kJoined) join_periods();
   if (joined_.size() >= 2 * kBatches) join_batches();

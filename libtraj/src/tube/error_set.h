@@ -29,8 +29,8 @@ struct ErrorTermsOf {
 template <class Rows>
 struct PeriodErrorsOf {
   Eigen::Matrix<double, Rows::kPadded, 3> gust = Eigen::Matrix<double, Rows::kPadded, 3>::Zero();
-  Eigen::Matrix<double, Rows::kPadded, kNamedErrors> named =
-      Eigen::Matrix<double, Rows::kPadded, kNamedErrors>::Zero();
+  Eigen::Matrix<double, Rows::kPadded, Rows::kNamed> named =
+      Eigen::Matrix<double, Rows::kPadded, Rows::kNamed>::Zero();
   ErrorVectorOf<Rows> box = ErrorVectorOf<Rows>::Zero();
 };
 

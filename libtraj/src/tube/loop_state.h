@@ -81,6 +81,9 @@ void for_each(LoopState<S>& s, const F& f) {
 struct GeometricRows {
   static constexpr int kStates = kLoopStates;
   static constexpr int kPadded = 32;
+  static constexpr int kNamed = 12;  // errors: of the torques of each millisecond
+  static constexpr int kNamedKinds = 3;
+  static constexpr int kind_of_named(int k) { return k % 3; }
   static constexpr int kVelocity = 3;
   static constexpr int kGust = 22;
   static constexpr int kWind = 25;

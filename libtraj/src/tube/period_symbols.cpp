@@ -60,7 +60,7 @@ PeriodMapOf<Rows> PeriodSymbolsOf<Rows>::map(const State& after) const {
     }
     out.middle[i] = m.c;
     out.map.row(i) = slopes(m).transpose();
-    for (int k = 0; k < kNamedErrors; ++k) out.added.named(i, k) = m.l[Rows::kStates + k];
+    for (int k = 0; k < Rows::kNamed; ++k) out.added.named(i, k) = m.l[Rows::kStates + k];
     out.added.box[i] = m.r + kRounding * m.swing();
   });
   return out;

@@ -9,6 +9,8 @@
 
 namespace traj {
 
+using std::sqrt;
+
 inline constexpr double kMillisecond = 1e-3;  // s
 
 // LaggedGusts that obey lag g' = n - g, with |n| <= most.
@@ -29,10 +31,32 @@ struct Body {
   Triple<S> filtered;  // rad/s2: what it makes of that
 };
 
+// The same, with the direction of the thrust in place of the lag: attitudes then know nothing of
+// how large the lift is.
+template <class S>
+struct TiltedBody {
+  Triple<S> moved;  // m since the start of the period
+  Triple<S> velocity;
+  S tilt_x{}, tilt_y{};  // of the body's z axis, in the wanted frame
+  S missing{};           // m/s2: lift's size minus thrust / believed mass
+  S heading{};
+  Triple<S> rates, spin;
+  Triple<S> turned;    // rad/s since the controller last ran
+  Triple<S> filtered;  // rad/s2: what it makes of that
+};
+
 // The body's frame, seen from the wanted one, in which the lift is (0, 0, its size).
 template <class S>
 Frame<S> frame_of(const Body<S>& body, const Wanted<S>& wanted) {
   return frame_along<S>({-body.lag.x, -body.lag.y, wanted.frame.size - body.lag.z}, body.heading);
+}
+
+// Its size is 1.
+template <class S>
+Frame<S> frame_of(const TiltedBody<S>& body, const Wanted<S>&) {
+  return frame_along_unit<S>(
+      {body.tilt_x, body.tilt_y, sqrt(1.0 - body.tilt_x * body.tilt_x - body.tilt_y * body.tilt_y)},
+      body.heading);
 }
 
 // What holds during a millisecond.
@@ -50,10 +74,9 @@ Triple<S> gyroscopic(const Vec3& inertia, const Triple<S>& w) {  // J^-1 (w x J 
   return scaled(triple(inertia.cwiseInverse()), product);
 }
 
-// A millisecond later.
-template <class S>
-Body<S> runge_kutta(const Quadrotor& q, const Wanted<S>& wanted, const Body<S>& body,
-                    const Held<S>& held);
+// A Body or a TiltedBody, a millisecond later.
+template <class B, class S>
+B runge_kutta(const Quadrotor& q, const Wanted<S>& wanted, const B& body, const Held<S>& held);
 
 // What the motors are told for it (N), as if no command were clipped.
 template <class S>
@@ -74,8 +97,10 @@ void name_errors(Triple<TaylorModelOf<N>>& t, int k) {
   t = {t.x.named(k), t.y.named(k + 1), t.z.named(k + 2)};
 }
 
-// Lag and heading as the next wanted frame sees them.
+// Lag, or tilt and what is missing, and heading as the next wanted frame sees them.
 template <class S>
 void turn_to(const Wanted<S>& wanted, const FrameChange<S>& d, Body<S>& body);
+template <class S>
+void turn_to(const Wanted<S>& wanted, const FrameChange<S>& d, TiltedBody<S>& body);
 
 }  // namespace traj

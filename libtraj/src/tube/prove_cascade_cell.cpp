@@ -38,11 +38,13 @@ class CascadeProof {
         errors_(start(cell)) {
     out_.radius.assign(tube_periods(track.duration()), 0);
     place_.setZero();
+    const LiftGains k(loop_);
     for (int i = 0; i < 3; ++i) {
       const double shrink = -1 / loop_.gains.position.p[i];
-      for (const int row : {Rows::kVelocity, Rows::kMissed, Rows::kDrift}) {
-        place_(i, row + i) = shrink;
-      }
+      place_(i, Rows::kVelocity + i) = shrink;
+      place_(i, Rows::kDue + i) = shrink / k.of_drift[i];
+      place_(i, Rows::kMissed + i) = shrink * (1 - k.of_missed[i] / k.of_drift[i]);
+      place_(i, Rows::kSlope + i) = shrink * k.of_slope[i] / k.of_drift[i];
       gust_(Rows::kGust + i, i) = (1 - gust_kept(d.gust_lag, period_)) * d.gust_most;
     }
   }
@@ -118,7 +120,7 @@ class CascadeProof {
     if (out_.trouble) out_.trouble->time += static_cast<double>(n) * kStep;
   }
 
-  // Position minus reference in the middle: missed + drift = kp (p_r - p) + f v_r - v.
+  // Position minus reference in the middle: the velocity's error = kp (p_r - p) + f v_r - v.
   Vec3 offset(const Reference& now) const {
     const double forward = loop_.gains.feed_forward.velocity;
     return place_ * middle_ + (forward * now.velocity).cwiseQuotient(loop_.gains.position.p);
@@ -206,20 +208,17 @@ class CascadeProof {
     const long done = (n + before_) / period_;
     if (done >= order) return;
     modes_ = done == 0 ? map : ErrorMatrixOf<Rows>(map * modes_);
-    if (done + 1 < order || settles(static_cast<double>(order * period_))) return;
+    if (done + 1 < order || settles()) return;
     out_.trouble = TubeTrouble{TubeTrouble::Kind::unstable, 0, static_cast<double>(n) * kStep, 0};
   }
 
-  bool settles(double milliseconds) {
+  bool settles() {
     const Eigen::MatrixXd loop = modes_.topLeftCorner<Rows::kGust, Rows::kGust>();
     const Eigen::VectorXcd modes = loop.eigenvalues();
     for (Eigen::Index k = 0; k < modes.size(); ++k) {
       if (!(std::abs(modes[k]) < 1)) return false;
       if (std::abs(modes[k]) < 1e-6) continue;
       const std::complex<double> rate = std::log(modes[k]);
-      if (getenv("MODES"))
-        fprintf(stderr, "mode %g %g\n", rate.real() * 1e3 / milliseconds,
-                rate.imag() * 1e3 / milliseconds);
       out_.damping = std::min(out_.damping, -rate.real() / std::abs(rate));
     }
     return true;

@@ -149,6 +149,7 @@ struct TaylorModelOf {
   }
 };
 using TaylorModel = TaylorModelOf<44>;
+using CascadeModel = TaylorModelOf<56>;  // whose state has more coordinates
 
 // The same for numbers, so that one text serves both.
 inline double inverse(double a) { return 1 / a; }

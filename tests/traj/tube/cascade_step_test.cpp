@@ -69,6 +69,17 @@ CascadeReferences references_of(const ReferenceTrack& track, const FlightOptions
   return out;
 }
 
+Vec3 vector(const Triple<double>& t) { return {t.x, t.y, t.z}; }
+
+// kp (p_r - p) + f v_r - v.
+Vec3 velocity_error(const CascadeLoop& loop, const CascadeState<double>& s) {
+  const LiftGains k(loop);
+  const Vec3 drift = (vector(s.due) - k.of_missed.cwiseProduct(vector(s.missed)) +
+                      k.of_slope.cwiseProduct(vector(s.slope)))
+                         .cwiseQuotient(k.of_drift);
+  return vector(s.missed) + drift;
+}
+
 // The largest difference of position or velocity from the simulator's, at any step of the attitude
 // loop.
 double disagreement(const FlightOptions& options, double yaw, double mass_error,
@@ -100,7 +111,7 @@ double disagreement(const FlightOptions& options, double yaw, double mass_error,
     if (n >= 0) {
       const auto at = static_cast<std::size_t>(n);
       const Vec3 velocity(s.velocity.x, s.velocity.y, s.velocity.z);
-      const Vec3 missed(s.missed.x + s.drift.x, s.missed.y + s.drift.y, s.missed.z + s.drift.z);
+      const Vec3 missed = velocity_error(loop, s);
       const Vec3 off = -(missed + velocity - options.gains.feed_forward.velocity * now.velocity)
                             .cwiseQuotient(options.gains.position.p);
       worst =
