@@ -1,6 +1,6 @@
 #pragma once
 
-// Flights under the geometric controller in any wind, and winds that push as hard as they may.
+// Flights in any wind, and winds that push as hard as they may.
 
 #include <cmath>
 #include <functional>
@@ -35,8 +35,9 @@ struct DisturbedFlight {
 
 // The loop of traj::simulate() with gusts of our own: gust_lag g' = n - g, n held for a
 // millisecond.
-inline DisturbedFlight fly(const ReferenceTrack& track, const FlightOptions& options,
-                           const Disturbances& d, const Fate& fate) {
+template <class Controller>
+DisturbedFlight fly_under(const ReferenceTrack& track, const FlightOptions& options,
+                          const Disturbances& d, const Fate& fate) {
   FlightOptions with = options;
   with.mass_error = fate.mass_error;
   with.drag_error = fate.drag_error;
@@ -51,7 +52,7 @@ inline DisturbedFlight fly(const ReferenceTrack& track, const FlightOptions& opt
   state.position = first.position;
   state.attitude = Eigen::AngleAxisd(first.yaw, Vec3::UnitZ());
   state.thrust = Motors::Constant(vehicle.mass * 9.80665 / 4);
-  GeometricController controller(options.quadrotor, options.gains, options.periods);
+  Controller controller(options.quadrotor, options.gains, options.periods);
   Vec3 gust = Vec3::Zero();
   const double kept = std::exp(-kStep / d.gust_lag);
   DisturbedFlight out;
@@ -71,6 +72,13 @@ inline DisturbedFlight fly(const ReferenceTrack& track, const FlightOptions& opt
     if (fate.towards) gust = kept * gust + (1 - kept) * fate.towards(n + before);
   }
   return out;
+}
+
+inline DisturbedFlight fly(const ReferenceTrack& track, const FlightOptions& options,
+                           const Disturbances& d, const Fate& fate) {
+  return options.law == ControlLaw::cascade
+             ? fly_under<CascadeController>(track, options, d, fate)
+             : fly_under<GeometricController>(track, options, d, fate);
 }
 
 inline Vec3 direction(support::Random& random) {

@@ -64,6 +64,9 @@ void check_usage(const fly::Options& options, const Inputs& inputs, const cli::S
   if (!outputs.certificate.empty() && !options.proved_tube) {
     throw cli::UsageError("--certificate: give --proved-tube, of whose proof it is");
   }
+  if (!outputs.certificate.empty() && options.controller != traj::ControlLaw::geometric) {
+    throw cli::UsageError("--certificate: give --controller geometric; the script knows no other");
+  }
   if (!outputs.certificate.empty() &&
       std::max({options.drag_error, options.motor_lag_error, options.inertia_error}) > 0) {
     throw cli::UsageError(

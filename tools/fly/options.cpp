@@ -102,7 +102,7 @@ void Options::add_to(CLI::App& app) {
       ->check(CLI::Range(1, 1000000));
   app.add_flag("--proved-tube", proved_tube,
                "prove how far the vehicle can stray, for the winds, gusts and masses that are "
-               "allowed (--controller geometric)");
+               "allowed");
   app.add_option("--wind-spread", wind_spread,
                  "with --proved-tube: the mean wind is within this of --wind, m/s (default: 0)")
       ->check(CLI::Range(0.0, 50.0));
@@ -204,9 +204,6 @@ traj::Disturbances Options::disturbances(const traj::FlightOptions& flight) cons
     throw cli::UsageError(fmt::format("--proved-tube: {}", what));
   };
   const traj::SensorSpec& s = flight.sensors;
-  if (flight.law != traj::ControlLaw::geometric) {
-    refuse("give --controller geometric; no tube of the cascade is proved yet");
-  }
   if (std::max({s.position, s.velocity, s.attitude, s.rates, s.delay}) > 0) {
     refuse("the proof knows exact sensors: leave out --noise and --delay");
   }
@@ -217,7 +214,14 @@ traj::Disturbances Options::disturbances(const traj::FlightOptions& flight) cons
     refuse("give a --hover-time of at least 0.001: the proof starts at rest");
   if (flight.periods.attitude > 4) refuse("give a --loop-period of at most 0.004");
   if (std::abs(mass_error) > 0.5) refuse("give a --mass-error of at most 0.5");
-  if (flight.gains.geometric.position.minCoeff() <= 0) refuse("the position gains must be above 0");
+  const bool geometric = flight.law == traj::ControlLaw::geometric;
+  const traj::PidGains& position = flight.gains.position;
+  if ((geometric ? flight.gains.geometric.position : position.p).minCoeff() <= 0) {
+    refuse("the position gains must be above 0");
+  }
+  if (!geometric && !(position.i.isZero(0) && position.d.isZero(0))) {
+    refuse("the proof knows position gains p alone: these gains have i or d");
+  }
   return {.wind = flight.wind.mean,
           .wind_spread = wind_spread,
           .gust_most = gust_most,

@@ -82,7 +82,8 @@ JsonLine proved(const FlightReport& r, const geom::BoxMap* map) {
   line.add("damping", r.proved.damping).add("cells", r.proved.cells);
   if (const auto& trouble = r.proved.trouble) {
     line.add("reason", geom::word_of(kTubeTroubleWords, trouble->kind)).add("time", trouble->time);
-    if (trouble->motor) line.add("motor", trouble->motor).add("room", trouble->room);
+    if (trouble->motor) line.add("motor", trouble->motor);
+    if (trouble->motor || trouble->room < 0) line.add("room", trouble->room);
     return line;
   }
   line.add("period", kTubePeriod).add("largest", r.proved.largest).add("tilt", r.proved.tilt);

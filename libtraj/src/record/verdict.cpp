@@ -239,6 +239,10 @@ std::string touch_in_words(const SampledReport& report, const geom::BoxMap& map)
 
 // Why no tube is proved.
 std::string in_words(const TubeTrouble& trouble) {
+  const auto clipped = [&](std::string_view what, std::string_view unit) {
+    return fmt::format("{} may be clipped at {:.4g} s, by {:.2g} {}", what, trouble.time,
+                       -trouble.room, unit);
+  };
   switch (trouble.kind) {
     case TubeTrouble::Kind::unstable:
       return "with these gains the loop is not stable in hover";
@@ -248,6 +252,16 @@ std::string in_words(const TubeTrouble& trouble) {
       return "steps of a millisecond are too coarse for this vehicle";
     case TubeTrouble::Kind::bounds:
       return "there are no bounds that a certificate could claim";
+    case TubeTrouble::Kind::velocity:
+      return clipped("the velocity that the position loop wants", "m/s");
+    case TubeTrouble::Kind::acceleration:
+      return clipped("the acceleration that the velocity loop wants", "m/s2");
+    case TubeTrouble::Kind::lift:
+      return clipped("the lift", "m/s2");
+    case TubeTrouble::Kind::lean:
+      return clipped("the horizontal part of the lift, by the tilt limit,", "m/s2");
+    case TubeTrouble::Kind::rates:
+      return clipped("a body rate that the attitude loop wants", "rad/s");
     case TubeTrouble::Kind::motor:
       break;
   }

@@ -10,44 +10,53 @@
 
 namespace traj {
 
-inline constexpr int kErrorRows = kLoopStates;
-using ErrorMatrix = Eigen::Matrix<double, kErrorRows, kErrorRows>;
-using ErrorVector = Eigen::Matrix<double, kErrorRows, 1>;
-using ErrorColumns = Eigen::Matrix<double, kErrorRows, Eigen::Dynamic>;
+template <class Rows>
+using ErrorMatrixOf = Eigen::Matrix<double, Rows::kPadded, Rows::kPadded>;
+template <class Rows>
+using ErrorVectorOf = Eigen::Matrix<double, Rows::kPadded, 1>;
+template <class Rows>
+using ErrorColumnsOf = Eigen::Matrix<double, Rows::kPadded, Eigen::Dynamic>;
 
 // Sums of two kinds of terms: three columns times a vector of length at most 1 (a ball), and a
 // column times a number in [-1, 1] (an interval).
-struct ErrorTerms {
-  ErrorColumns balls = ErrorColumns(kErrorRows, 0);
-  ErrorColumns intervals = ErrorColumns(kErrorRows, 0);
+template <class Rows>
+struct ErrorTermsOf {
+  ErrorColumnsOf<Rows> balls = ErrorColumnsOf<Rows>(Rows::kPadded, 0);
+  ErrorColumnsOf<Rows> intervals = ErrorColumnsOf<Rows>(Rows::kPadded, 0);
 };
 
 // What a period adds: the gust's ball, a column for each named error, and a box.
-struct PeriodErrors {
-  Eigen::Matrix<double, kErrorRows, 3> gust = Eigen::Matrix<double, kErrorRows, 3>::Zero();
-  Eigen::Matrix<double, kErrorRows, kNamedErrors> named =
-      Eigen::Matrix<double, kErrorRows, kNamedErrors>::Zero();
-  ErrorVector box = ErrorVector::Zero();  // of the first kMovingStates
+template <class Rows>
+struct PeriodErrorsOf {
+  Eigen::Matrix<double, Rows::kPadded, 3> gust = Eigen::Matrix<double, Rows::kPadded, 3>::Zero();
+  Eigen::Matrix<double, Rows::kPadded, Rows::kNamed> named =
+      Eigen::Matrix<double, Rows::kPadded, Rows::kNamed>::Zero();
+  ErrorVectorOf<Rows> box = ErrorVectorOf<Rows>::Zero();  // of what changes
 };
 
 // Every deviation is a value of the sum of all terms. Terms grow fewer as they grow old: those of
 // one kind and of neighbouring periods are added up, and a box holds what that loses. Rounding is
 // covered.
-class ErrorSet {
+template <class Rows>
+class ErrorSetOf {
  public:
+  using Matrix = ErrorMatrixOf<Rows>;
+  using Vector = ErrorVectorOf<Rows>;
+  using Terms = ErrorTermsOf<Rows>;
+
   // `held` never changes: what the mean wind and the mass do. `box` is what is not known at the
   // start.
-  ErrorSet(ErrorTerms held, const ErrorVector& box);
+  ErrorSetOf(Terms held, const Vector& box);
 
   // Deviations e become map e + what the period adds.
-  void advance(const ErrorMatrix& map, const PeriodErrors& added);
+  void advance(const Matrix& map, const PeriodErrorsOf<Rows>& added);
 
   // Upper bounds, over all deviations: of each coordinate's size, and of a linear form's.
-  ErrorVector bounds() const;
-  double bound(const ErrorVector& form) const;
+  Vector bounds() const;
+  double bound(const Vector& form) const;
 
   // Of the length of a linear image in space.
-  double reach(const Eigen::Matrix<double, 3, kErrorRows>& map) const;
+  double reach(const Eigen::Matrix<double, 3, Rows::kPadded>& map) const;
 
  private:
   void join_periods();
@@ -58,15 +67,23 @@ class ErrorSet {
   void each(const F& f) const {
     f(held_);
     for (const auto* level : {&periods_, &joined_, &old_, &oldest_}) {
-      for (const ErrorTerms& terms : *level) f(terms);
+      for (const Terms& terms : *level) f(terms);
     }
   }
 
-  ErrorTerms held_;
-  std::deque<ErrorTerms> periods_;  // the newest, one each
-  std::deque<ErrorTerms> joined_;   // kJoined periods each
-  std::deque<ErrorTerms> old_;      // kBatches of those each
-  std::deque<ErrorTerms> oldest_;   // boxes
+  Terms held_;
+  std::deque<Terms> periods_;  // the newest, one each
+  std::deque<Terms> joined_;   // kJoined periods each
+  std::deque<Terms> old_;      // kBatches of those each
+  std::deque<Terms> oldest_;   // boxes
 };
+
+inline constexpr int kErrorRows = GeometricRows::kPadded;
+using ErrorMatrix = ErrorMatrixOf<GeometricRows>;
+using ErrorVector = ErrorVectorOf<GeometricRows>;
+using ErrorColumns = ErrorColumnsOf<GeometricRows>;
+using ErrorTerms = ErrorTermsOf<GeometricRows>;
+using PeriodErrors = PeriodErrorsOf<GeometricRows>;
+using ErrorSet = ErrorSetOf<GeometricRows>;
 
 }  // namespace traj

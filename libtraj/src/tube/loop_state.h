@@ -2,12 +2,14 @@
 
 // The state of vehicle, controller and wind when the attitude loop runs, in numbers or in bounds.
 
+#include <array>
+
 #include "geom/base/vec3.h"
 #include "tube/taylor_model.h"
 
 namespace traj {
 
-// Three of a scalar that is a double or a TaylorModel.
+// Three of a scalar that is a double or a Taylor model.
 template <class S>
 struct Triple {
   S x{}, y{}, z{};
@@ -64,7 +66,6 @@ struct LoopState {
   Triple<S> agility;  // believed over true inertia about each axis
 };
 inline constexpr int kLoopStates = 34;
-inline constexpr int kMovingStates = 25;  // those before the wind
 
 template <class S, class F>
 void for_each(LoopState<S>& s, const F& f) {
@@ -80,5 +81,30 @@ void for_each(LoopState<S>& s, const F& f) {
   k += 3;
   three(s.agility);
 }
+
+// Where coordinates stand among the rows of a vector of deviations. Those from `wind` on do not
+// change.
+struct GeometricRows {
+  static constexpr int kStates = kLoopStates;
+  static constexpr int kPadded = kLoopStates;
+  static constexpr int kNamed = 12;  // errors: of the torques of each millisecond
+  static constexpr int kNamedKinds = 3;
+  static constexpr int kind_of_named(int k) { return k % 3; }
+  static constexpr int kVelocity = 3;
+  static constexpr int kSpin = 13;
+  static constexpr int kTurned = 19;
+  static constexpr int kGust = 22;
+  static constexpr int kWind = 25;
+  static constexpr int kLightness = 28;
+  static constexpr int kDrag = 29;
+  static constexpr int kQuickness = 30;
+  static constexpr int kAgility = 31;
+  // Lift, velocity and heading are slow; what is fast soon follows them.
+  static constexpr std::array<int, 7> kSlow = {0, 1, 2, 3, 4, 5, 9};
+
+  template <class S>
+  using State = LoopState<S>;
+  using Model = TaylorModel;
+};
 
 }  // namespace traj

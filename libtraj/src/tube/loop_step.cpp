@@ -44,29 +44,10 @@ Held<S> commanded(const Loop& loop, const Wanted<S>& wanted, Body<S>& body) {
   return held;
 }
 
-// Makes remainders symbols, k and the next two, so that what follows from them is known to be
-// linear.
-void name_errors(Triple<double>&, int) {}
-void name_errors(Triple<TaylorModel>& t, int k) {
-  t = {t.x.named(k), t.y.named(k + 1), t.z.named(k + 2)};
-}
-
-// Anything within a radius; for numbers its middle, 0.
-template <class S>
-S loose(double radius);
-template <>
-double loose<double>(double) {
-  return 0;
-}
-template <>
-TaylorModel loose<TaylorModel>(double radius) {
-  return TaylorModel::within(0, radius);
-}
-
 }  // namespace
 
 double gust_kept(const Loop& loop, int milliseconds) {
-  return std::exp(-kMillisecond * milliseconds / loop.gust_lag);
+  return gust_kept(loop.gust_lag, milliseconds);
 }
 
 template <class S>
@@ -85,9 +66,7 @@ LoopStep<S> loop_step(const Loop& loop, const LoopState<S>& s, const LoopReferen
     Held<S> held = commanded(loop, wanted, body);
     name_errors(held.spin, kLoopStates + 3 * j);
     step.commands.push_back(motors(loop.model, held));
-    const double kept = gust_kept(loop, j);
-    const S more = loose<S>((1 - kept) * loop.gust_most);
-    held.wind = s.wind + kept * s.gust + Triple<S>{more, more, more};
+    held.wind = wind_in(s.wind, s.gust, {loop.gust_lag, loop.gust_most}, j);
     held.lightness = s.lightness;
     held.drag = s.drag;
     held.quickness = s.quickness;

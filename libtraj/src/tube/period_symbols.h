@@ -7,23 +7,13 @@
 
 namespace traj {
 
-// Rows of the state.
-inline constexpr int kVelocity = 3;
-inline constexpr int kSpin = 13;
-inline constexpr int kTurned = 19;
-inline constexpr int kGust = 22;
-inline constexpr int kWind = 25;  // from here on they do not change
-inline constexpr int kLightness = 28;
-inline constexpr int kDrag = 29;
-inline constexpr int kQuickness = 30;
-inline constexpr int kAgility = 31;
-
 // Deviations e at the start of a period become map e + what is added, around `middle`. The gust's
 // ball is not added yet.
-struct PeriodMap {
-  ErrorMatrix map = ErrorMatrix::Zero();
-  PeriodErrors added;
-  ErrorVector middle = ErrorVector::Zero();  // without the rows that do not change
+template <class Rows>
+struct PeriodMapOf {
+  ErrorMatrixOf<Rows> map = ErrorMatrixOf<Rows>::Zero();
+  PeriodErrorsOf<Rows> added;
+  ErrorVectorOf<Rows> middle = ErrorVectorOf<Rows>::Zero();  // without the rows that do not change
 
   bool finite() const {
     return map.allFinite() && added.named.allFinite() && added.box.allFinite() &&
@@ -34,25 +24,43 @@ struct PeriodMap {
 // Bounds, over all deviations of a set, of what the symbols of a period stand for. They are the
 // coordinates of the state, but for the gust. In its place stands the acceleration that lift and
 // drag give together: they nearly balance, so its bound is far below theirs.
-ErrorVector symbol_sizes(const Quadrotor& model, const ErrorSet& errors);
+template <class Rows>
+ErrorVectorOf<Rows> symbol_sizes(const Quadrotor& model, const ErrorSetOf<Rows>& errors);
 
 // The symbols of a period.
-class PeriodSymbols {
+template <class Rows>
+class PeriodSymbolsOf {
  public:
-  // `sizes`: what the symbols' coordinates are at most.
-  PeriodSymbols(const Quadrotor& model, const ErrorVector& sizes);
+  using Model = typename Rows::Model;
+  using State = typename Rows::template State<Model>;
+  using Vector = ErrorVectorOf<Rows>;
 
-  LoopState<TaylorModel> state(const ErrorVector& middle) const;
+  // `sizes`: what the symbols' coordinates are at most.
+  PeriodSymbolsOf(const Quadrotor& model, const Vector& sizes);
+
+  State state(const Vector& middle) const;
 
   // By the coordinates of the state.
-  ErrorVector slopes(const TaylorModel& m) const;
+  Vector slopes(const Model& m) const;
 
-  PeriodMap map(const LoopState<TaylorModel>& after) const;
+  PeriodMapOf<Rows> map(const State& after) const;
 
  private:
   double drag_;  // 1/s
-  ErrorMatrix mix_ = ErrorMatrix::Identity();
-  ErrorVector scale_;
+  ErrorMatrixOf<Rows> mix_ = ErrorMatrixOf<Rows>::Identity();
+  Vector scale_;
 };
+
+inline constexpr int kVelocity = GeometricRows::kVelocity;
+inline constexpr int kGust = GeometricRows::kGust;
+inline constexpr int kSpin = GeometricRows::kSpin;
+inline constexpr int kTurned = GeometricRows::kTurned;
+inline constexpr int kWind = GeometricRows::kWind;
+inline constexpr int kDrag = GeometricRows::kDrag;
+inline constexpr int kQuickness = GeometricRows::kQuickness;
+inline constexpr int kAgility = GeometricRows::kAgility;
+inline constexpr int kLightness = GeometricRows::kLightness;
+using PeriodMap = PeriodMapOf<GeometricRows>;
+using PeriodSymbols = PeriodSymbolsOf<GeometricRows>;
 
 }  // namespace traj

@@ -53,12 +53,14 @@ class CellProof {
 
   // At rest on the first reference, in the middle of the cell; also notes that state.
   ErrorSet start(const TubeCell& cell, const Disturbances& d) {
-    const TaylorModel lightness = inverse_of(cell.mass_least, cell.mass_most, kLightness);
+    const TaylorModel lightness =
+        TaylorModel::inverse_of(cell.mass_least, cell.mass_most, kLightness);
     LoopState<TaylorModel> state = resting(lightness);
     state.drag = TaylorModel::symbol(1, kDrag, d.drag_error);
-    state.quickness = inverse_of(1 - d.motor_lag_error, 1 + d.motor_lag_error, kQuickness);
+    state.quickness =
+        TaylorModel::inverse_of(1 - d.motor_lag_error, 1 + d.motor_lag_error, kQuickness);
     const auto agility = [&](int axis) {
-      return inverse_of(1 - d.inertia_error, 1 + d.inertia_error, kAgility + axis);
+      return TaylorModel::inverse_of(1 - d.inertia_error, 1 + d.inertia_error, kAgility + axis);
     };
     state.agility = {agility(0), agility(1), agility(2)};
     ErrorTerms held;
@@ -93,13 +95,6 @@ class CellProof {
     if (room > 0) return;
     out_.trouble =
         TubeTrouble{TubeTrouble::Kind::motor, 1, static_cast<double>(-before_) * kStep, room};
-  }
-
-  // 1 over anything in [least, most], with a symbol.
-  static TaylorModel inverse_of(double least, double most, int symbol) {
-    const double low = 1 / most;
-    const double high = 1 / least;
-    return TaylorModel::symbol(0.5 * (low + high), symbol, 0.5 * (high - low) * (1 + 1e-14));
   }
 
   static double named(const TaylorModel& m) {
@@ -201,7 +196,7 @@ class CellProof {
       out_.trouble = TubeTrouble{TubeTrouble::Kind::tilt, 0, static_cast<double>(n) * kStep, 0};
       return;
     }
-    for (int i = 0; i < kMovingStates; ++i) {
+    for (int i = 0; i < kWind; ++i) {
       middle_[i] = period.middle[i];
       period.added.box[i] += i >= kSpin && i < kTurned ? kSpinSlack : kSlack;
     }

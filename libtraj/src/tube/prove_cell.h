@@ -37,4 +37,8 @@ CellTube prove_cell(const ReferenceTrack& track, const FlightOptions& options,
 CellTube prove_by_spans(const ReferenceTrack& track, const FlightOptions& options,
                         const Disturbances& disturbances, const TubeCell& cell);
 
+// The same under the cascade.
+CellTube prove_cascade_cell(const ReferenceTrack& track, const FlightOptions& options,
+                            const Disturbances& disturbances, const TubeCell& cell);
+
 }  // namespace traj

@@ -60,10 +60,11 @@ TubeCell middle_of(TubeCell cell) {
 
 ProvedTube prove_tube(const ReferenceTrack& track, const FlightOptions& options,
                       const Disturbances& d, const geom::Execution& run, const TubeOptions& tube) {
-  assert(options.hover >= kStep && options.law == ControlLaw::geometric &&
-         options.periods.attitude >= 1 && options.periods.attitude <= 4);
+  assert(options.hover >= kStep && options.periods.attitude >= 1 && options.periods.attitude <= 4);
   ProvedTube out;
-  const auto prove = tube.by_spans ? prove_by_spans : prove_cell;
+  const bool cascade = options.law == ControlLaw::cascade;
+  assert(!(cascade && tube.by_spans));
+  const auto prove = cascade ? prove_cascade_cell : tube.by_spans ? prove_by_spans : prove_cell;
   std::vector<TubeCell> cells = {whole(d)};
   bool first = true;
   while (!cells.empty()) {
@@ -86,7 +87,7 @@ ProvedTube prove_tube(const ReferenceTrack& track, const FlightOptions& options,
       }
     }
     if (trouble && first && divisible) {
-      const CellTube middle = prove_cell(track, options, d, middle_of(cells.front()));
+      const CellTube middle = prove(track, options, d, middle_of(cells.front()));
       if (middle.trouble) trouble = middle.trouble, divisible = false;
     }
     first = false;

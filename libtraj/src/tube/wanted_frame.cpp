@@ -13,13 +13,9 @@ S norm(const Triple<S>& a) {
   return sqrt(dot(a, a));
 }
 
-}  // namespace
-
+// All but the size.
 template <class S>
-Frame<S> frame_along(const Triple<S>& force, const S& heading) {
-  Frame<S> f;
-  f.size = norm(force);
-  f.z = inverse(f.size) * force;
+void turn_about_z(const S& heading, Frame<S>& f) {
   const S s = sin(heading);
   const S c = cos(heading);
   f.left = {-s, c, S(0.0)};
@@ -28,6 +24,25 @@ Frame<S> frame_along(const Triple<S>& force, const S& heading) {
   f.across_size = norm(f.across);
   f.x = inverse(f.across_size) * f.across;
   f.y = cross(f.z, f.x);
+}
+
+}  // namespace
+
+template <class S>
+Frame<S> frame_along(const Triple<S>& force, const S& heading) {
+  Frame<S> f;
+  f.size = norm(force);
+  f.z = inverse(f.size) * force;
+  turn_about_z(heading, f);
+  return f;
+}
+
+template <class S>
+Frame<S> frame_along_unit(const Triple<S>& z, const S& heading) {
+  Frame<S> f;
+  f.size = 1.0;
+  f.z = z;
+  turn_about_z(heading, f);
   return f;
 }
 
@@ -42,6 +57,17 @@ Wanted<S> wanted_at(const Triple<S>& lift, const Reference& r) {
   return w;
 }
 
+template <class S>
+Triple<S> rates_along(const Frame<S>& f, const Reference& r) {
+  const Triple<double> jerk = triple(r.jerk);
+  const S shrink = inverse(f.size);
+  const S along_y = shrink * dot(jerk, f.y);
+  const S along_x = shrink * dot(jerk, f.x);
+  // (left x jerk) . y; left and across are in the plane of y and z, and across is along x.
+  const S about = r.yaw_rate * dot(f.ahead, f.x) + shrink * dot(cross(f.left, jerk), f.y);
+  return {-along_y, along_x, inverse(f.across_size) * about};
+}
+
 // `left` is the heading's, which lies in the plane of y and z there.
 template <class S>
 FrameChange<S> change_of(const Wanted<S>& wanted, const Triple<S>& change, double yaw,
@@ -52,9 +78,9 @@ FrameChange<S> change_of(const Wanted<S>& wanted, const Triple<S>& change, doubl
   const Triple<S>& e = d.lift;
   const S longer = 2.0 * f.size * e.z + dot(e, e);  // of the squares
   const S size = sqrt(f.size * f.size + longer);
-  const S growth = longer * inverse(size + f.size);
+  d.growth = longer * inverse(size + f.size);
   const S shrink = inverse(size);
-  d.z = {shrink * e.x, shrink * e.y, shrink * (e.z - growth)};
+  d.z = {shrink * e.x, shrink * e.y, shrink * (e.z - d.growth)};
   const double half = 2 * std::sin((next_yaw - yaw) / 2);
   const double mean = (next_yaw + yaw) / 2;
   const Triple<double> turn = {-half * std::cos(mean), -half * std::sin(mean), 0};
@@ -74,11 +100,19 @@ FrameChange<S> change_of(const Wanted<S>& wanted, const Triple<S>& change, doubl
 
 template Frame<double> frame_along(const Triple<double>&, const double&);
 template Frame<TaylorModel> frame_along(const Triple<TaylorModel>&, const TaylorModel&);
+template Frame<CascadeModel> frame_along(const Triple<CascadeModel>&, const CascadeModel&);
+template Frame<double> frame_along_unit(const Triple<double>&, const double&);
+template Frame<CascadeModel> frame_along_unit(const Triple<CascadeModel>&, const CascadeModel&);
 template Wanted<double> wanted_at(const Triple<double>&, const Reference&);
 template Wanted<TaylorModel> wanted_at(const Triple<TaylorModel>&, const Reference&);
+template Wanted<CascadeModel> wanted_at(const Triple<CascadeModel>&, const Reference&);
+template Triple<double> rates_along(const Frame<double>&, const Reference&);
+template Triple<CascadeModel> rates_along(const Frame<CascadeModel>&, const Reference&);
 template FrameChange<double> change_of(const Wanted<double>&, const Triple<double>&, double,
                                        double);
 template FrameChange<TaylorModel> change_of(const Wanted<TaylorModel>&, const Triple<TaylorModel>&,
                                             double, double);
+template FrameChange<CascadeModel> change_of(const Wanted<CascadeModel>&,
+                                             const Triple<CascadeModel>&, double, double);
 
 }  // namespace traj

@@ -84,8 +84,8 @@ TEST(PeriodSymbols, KnowWhatGustsDoMeanwhile) {
   const ErrorSet errors({}, ErrorVector::Zero());
   ErrorVector middle = ErrorVector::Zero();
   middle[2] = 9.80665;
-      middle.tail<kErrorRows - kLightness>().setOnes();
-      const PeriodSymbols symbols(loop.model, symbol_sizes(loop.model, errors));
+  middle.tail<kErrorRows - kLightness>().setOnes();
+  const PeriodSymbols symbols(loop.model, symbol_sizes(loop.model, errors));
   const PeriodMap period = symbols.map(loop_step(loop, symbols.state(middle), {}).state);
   double moved = 0;
   for (int j = 0; j < 4; ++j)

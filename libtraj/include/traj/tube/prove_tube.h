@@ -29,7 +29,7 @@ struct Disturbances {
   double wind_spread = 0;    // m/s, >= 0: the mean wind is within this of the middle, and constant
   double gust_most =
       0;  // m/s, >= 0: gusts g obey gust_lag g' = n - g, g = 0 at first, |n| <= gust_most
-  double gust_lag = 1;    // s, > 0
+  double gust_lag = 1;  // s, > 0
   // The vehicle is within these shares of what is believed, each in [0, 0.5].
   double mass_error = 0;
   double drag_error = 0;
@@ -39,18 +39,34 @@ struct Disturbances {
 
 // Why nothing is proved.
 struct TubeTrouble {
-  enum class Kind { motor, tilt, unstable, steps, bounds } kind = Kind::motor;
+  enum class Kind {
+    motor,
+    tilt,
+    unstable,
+    steps,
+    bounds,
+    velocity,
+    acceleration,
+    lift,
+    lean,
+    rates
+  } kind = Kind::motor;
   int motor = 0;    // 1 to 4: the command of this motor may leave its range,
   double time = 0;  // s, from the trajectory's start: then,
   double room = 0;  // N, <= 0: by as much as this
 };
 
-inline constexpr geom::Words<TubeTrouble::Kind, 5> kTubeTroubleWords{{
+inline constexpr geom::Words<TubeTrouble::Kind, 10> kTubeTroubleWords{{
     {TubeTrouble::Kind::motor, "motor"},
     {TubeTrouble::Kind::tilt, "tilt"},
     {TubeTrouble::Kind::unstable, "unstable"},
     {TubeTrouble::Kind::steps, "steps"},    // a millisecond is too coarse for the vehicle
     {TubeTrouble::Kind::bounds, "bounds"},  // none were found that a certificate could claim
+    {TubeTrouble::Kind::velocity, "velocity"},
+    {TubeTrouble::Kind::acceleration, "acceleration"},
+    {TubeTrouble::Kind::lift, "lift"},
+    {TubeTrouble::Kind::lean, "lean"},
+    {TubeTrouble::Kind::rates, "rates"},
 }};
 
 // Periods of the attitude loop, from the start of the hovering on, that share their bounds.
@@ -82,17 +98,20 @@ struct ProvedTube {
 
 struct TubeOptions {
   std::size_t most_cells = 64;  // >= 1: a proof that takes more is given up
-  bool by_spans = false;  // for a certificate: `proofs` have bounds that a checker finds again
+  // For a certificate of a flight under the geometric controller: `proofs` have bounds that a
+  // checker finds again.
+  bool by_spans = false;
 };
 
-// At every step of a millisecond, for all winds, gusts and masses that are allowed, the vehicle of
-// simulate() under the geometric controller is within the radius of the reference of that instant,
-// from the trajectory's start until the end of `options.settle`. It starts at rest, `options.hover`
-// before. `options.wind` and `options.mass_error` are not looked at.
+// At every step of a millisecond, for all winds, gusts and vehicles that are allowed, the vehicle
+// of simulate() is within the radius of the reference of that instant, from the trajectory's start
+// until the end of `options.settle`. It starts at rest, `options.hover` before, and nothing is
+// clipped. `options.wind` and the errors of `options` are not looked at.
 //
-// Preconditions: at least a millisecond of hovering before, the geometric law, an attitude loop of
-// at most 4 ms, no sensor noise or delay, positive position gains. Disturbances and noise that the
-// simulator draws from a normal distribution have no bound, and no claim is made for them.
+// Preconditions: at least a millisecond of hovering before, an attitude loop of at most 4 ms, no
+// sensor noise or delay, positive position gains, and for the cascade no others in the position
+// loop. Disturbances and noise that the simulator draws from a normal distribution have no bound,
+// and no claim is made for them.
 //
 // Cost: some 0.1 s a second of flight and cell, on a thread each. The same for any number of
 // threads.

@@ -1,0 +1,266 @@
+#include "tube/cascade_step.h"
+
+#include "geom/vehicle/limits.h"
+
+namespace traj {
+namespace {
+
+using geom::kGravity;
+using std::asin;
+using std::cos;
+using std::sin;
+using std::sqrt;
+
+constexpr double kVelocityFilter = 1 / (2 * 3.141592653589793 * 5);  // s, as the controller's
+constexpr double kRateFilter = 1 / (2 * 3.141592653589793 * 30);     // s, as the controller's
+constexpr double kFilterShare = kMillisecond / (kMillisecond + kRateFilter);
+constexpr double kYawWeight = 0.4;  // as the controller's
+
+template <class S>
+Wanted<S> wanted_for(const Triple<S>& lift, const Reference& reference) {
+  return {lift, frame_along(lift, S(reference.yaw)), {}};
+}
+
+// What the position loop keeps from run to run.
+template <class S>
+struct Outer {
+  Triple<S> lift, missed, slope;
+  Triple<S> lead;  // m/s2: due + of_drift * velocity, which knows no force
+  Vec3 asked;      // m/s2: the reference's acceleration when it last ran
+};
+
+template <class S>
+Triple<S> due_of(const LiftGains& k, const Outer<S>& outer, const Triple<S>& velocity) {
+  return outer.lead - scaled(triple(k.of_drift), velocity);
+}
+
+// How the velocity's error has changed since the position loop last ran.
+template <class S>
+Triple<S> drift_of(const LiftGains& k, const Outer<S>& outer, const Triple<S>& due) {
+  const Triple<S> changed =
+      due - scaled(triple(k.of_missed), outer.missed) + scaled(triple(k.of_slope), outer.slope);
+  return scaled(triple(Vec3(k.of_drift.cwiseInverse())), changed);
+}
+
+template <class S>
+Triple<S> due_without_drift(const LiftGains& k, const Outer<S>& outer) {
+  return scaled(triple(k.of_missed), outer.missed) - scaled(triple(k.of_slope), outer.slope);
+}
+
+// Position and velocity loops at once. Returns how the lift changes.
+template <class S>
+Triple<S> follow(const CascadeLoop& loop, const Vec3& asked, const Triple<S>& velocity,
+                 Outer<S>& outer) {
+  const LiftGains k(loop);
+  const Triple<S> due = due_of(k, outer, velocity);
+  const Triple<S> drift = drift_of(k, outer, due);
+  const Vec3 forward = loop.gains.feed_forward.acceleration * (asked - outer.asked);
+  const Triple<S> change = triple(forward) + due;
+  outer.lift = outer.lift + change;
+  outer.missed = outer.missed + drift;
+  outer.slope = (1 - k.share) * outer.slope + (k.share / k.period) * drift;
+  outer.lead = due_without_drift(k, outer) + scaled(triple(k.of_drift), velocity);
+  outer.asked = asked;
+  return change;
+}
+
+template <class S>
+PositionRun<S> run_of(const CascadeLoop& loop, const Outer<S>& outer, const Triple<S>& velocity) {
+  PositionRun<S> run;
+  run.velocity = outer.missed + velocity;
+  run.lift = outer.lift;
+  run.acceleration = outer.lift;
+  run.acceleration.z = outer.lift.z - kGravity;
+  run.before = run.acceleration - scaled(triple(LiftGains(loop).of_missed), outer.missed);
+  return run;
+}
+
+// Brescianini, Hehn and D'Andrea 2013, section IV, for a body whose axes in the wanted frame are
+// those of `is`. The wanted z axis is (x, y, z) in the body's frame.
+template <class S>
+Triple<S> tilt_first(const Frame<S>& is) {
+  const S x = is.x.z;
+  const S y = is.y.z;
+  const S half_tilt = sqrt(0.5 * (1.0 + is.z.z));  // its cosine
+  // How the body's x axis points after the shortest turn that brings its z axis there.
+  const S across = is.x.y - is.x.z * is.z.y * inverse(1.0 + is.z.z);
+  const S half = (-0.5 * kYawWeight) * asin(across);
+  const S c = cos(half);
+  const S s = sin(half);
+  const S grow = inverse(half_tilt);
+  return {grow * (x * s - y * c), grow * (x * c + y * s), 2.0 * (half_tilt * s)};
+}
+
+// The rates that are wanted.
+template <class S>
+Triple<S> orient(const CascadeLoop& loop, const Wanted<S>& wanted, const TiltedBody<S>& body,
+                 const Reference& reference) {
+  const Frame<S> is = frame_of(body, wanted);
+  const Triple<S> error = tilt_first(is);
+  const double forward = loop.gains.feed_forward.body_rates;
+  const Triple<S> rates = scaled(triple(loop.gains.attitude), error);
+  if (forward == 0) return rates;
+  return rates + forward * rates_along(wanted.frame, reference);
+}
+
+// The commands of this millisecond.
+template <class S>
+Held<S> turn(const CascadeLoop& loop, const Wanted<S>& wanted, const Triple<S>& rates,
+             Triple<S>& integral, const TiltedBody<S>& body) {
+  const PidGains& k = loop.gains.rates;
+  const Triple<S> error = rates - body.rates;
+  integral = integral + scaled(triple(Vec3(kMillisecond * k.i)), error);
+  Held<S> held;
+  held.thrust = wanted.frame.size;
+  held.spin = scaled(triple(k.p), error) + integral - scaled(triple(k.d), body.filtered) +
+              gyroscopic(loop.model.inertia, body.rates);
+  return held;
+}
+
+// A period while it runs.
+template <class S>
+class Period {
+ public:
+  Period(const CascadeLoop& loop, const CascadeState<S>& s, const CascadeReferences& references)
+      : loop_(loop),
+        start_(s),
+        references_(references),
+        gains_(loop),
+        outer_{s.lift, s.missed, s.slope, s.due + scaled(triple(gains_.of_drift), s.velocity),
+               references.last_asked},
+        wanted_(wanted_for(s.lift, references.at[0])),
+        integral_(s.integral) {
+    body_.velocity = s.velocity;
+    body_.tilt_x = s.tilt_x;
+    body_.tilt_y = s.tilt_y;
+    body_.missing = s.missing;
+    body_.heading = s.heading;
+    body_.rates = s.rates;
+    body_.spin = s.spin;
+    body_.filtered = s.filtered;
+  }
+
+  CascadeStep<S> run() {
+    const int period = static_cast<int>(references_.at.size()) - 1;
+    for (int j = 0; j < period; ++j) {
+      if ((references_.step + j) % loop_.periods.position == 0) run_position(j);
+      if (j == 0) {
+        step_.rates = orient(loop_, wanted_, body_, references_.at[0]);
+        name_errors(step_.rates, CascadeRows::kStates);
+      }
+      advance(j);
+    }
+    const double yaw = references_.at[0].yaw;
+    const double next_yaw = references_.at[period].yaw;
+    if (next_yaw != yaw) turn_to(wanted_, change_of(wanted_, Triple<S>{}, yaw, next_yaw), body_);
+    name_errors(body_.velocity, CascadeRows::kStates + 3 + 3 * kLongestPeriod);
+    step_.state = state();
+    return std::move(step_);
+  }
+
+ private:
+  void run_position(int j) {
+    const Reference& frame = references_.at[0];
+    const Triple<S> change = follow(loop_, references_.at[j].acceleration, body_.velocity, outer_);
+    turn_to(wanted_, change_of(wanted_, change, frame.yaw, frame.yaw), body_);
+    wanted_ = wanted_for(outer_.lift, frame);
+    step_.runs.push_back(run_of(loop_, outer_, body_.velocity));
+    step_.runs.back().millisecond = j;
+  }
+
+  // A millisecond of the rate loop and the vehicle.
+  void advance(int j) {
+    Held<S> held = turn(loop_, wanted_, step_.rates, integral_, body_);
+    name_errors(held.spin, CascadeRows::kStates + 3 + 3 * j);
+    step_.commands.push_back(motors(loop_.model, held));
+    held.wind = wind_in(start_.wind, start_.gust, loop_.gusts, j);
+    held.lightness = start_.lightness;
+    held.drag = start_.drag;
+    held.quickness = start_.quickness;
+    held.agility = start_.agility;
+    const TiltedBody<S> before = body_;
+    body_ = runge_kutta(loop_.model, wanted_, before, held);
+    body_.filtered =
+        (1 - kFilterShare) * body_.filtered + (kFilterShare / kMillisecond) * body_.turned;
+    body_.turned = Triple<S>{};
+    step_.moved.push_back(body_.moved);
+    step_.upright.push_back(in_world(wanted_.frame, frame_of(body_, wanted_).z).z);
+    const Reference& now = references_.at[j];
+    const Reference& next = references_.at[j + 1];
+    const Vec3& k = loop_.gains.position.p;
+    const Vec3 led = k.cwiseProduct(next.position - now.position) +
+                     loop_.gains.feed_forward.velocity * (next.velocity - now.velocity);
+    const Triple<S> drift = triple(led) - scaled(triple(k), body_.moved - before.moved);
+    outer_.lead = outer_.lead + scaled(triple(gains_.of_drift), drift);
+  }
+
+  CascadeState<S> state() const {
+    CascadeState<S> out;
+    out.lift = outer_.lift;
+    out.velocity = body_.velocity;
+    out.tilt_x = body_.tilt_x;
+    out.tilt_y = body_.tilt_y;
+    out.missing = body_.missing;
+    out.heading = body_.heading;
+    out.rates = body_.rates;
+    out.spin = body_.spin;
+    out.filtered = body_.filtered;
+    out.integral = integral_;
+    out.missed = outer_.missed;
+    out.slope = outer_.slope;
+    out.due = due_of(gains_, outer_, body_.velocity);
+    const int period = static_cast<int>(references_.at.size()) - 1;
+    out.gust = gust_kept(loop_.gusts.lag, period) * start_.gust;
+    out.wind = start_.wind;
+    out.lightness = start_.lightness;
+    out.drag = start_.drag;
+    out.quickness = start_.quickness;
+    out.agility = start_.agility;
+    return out;
+  }
+
+  const CascadeLoop& loop_;
+  const CascadeState<S>& start_;
+  const CascadeReferences& references_;
+  LiftGains gains_;
+  Outer<S> outer_;
+  Wanted<S> wanted_;
+  TiltedBody<S> body_;
+  Triple<S> integral_;
+  CascadeStep<S> step_;
+};
+
+}  // namespace
+
+LiftGains::LiftGains(const CascadeLoop& loop)
+    : period(kMillisecond * loop.periods.position), share(period / (period + kVelocityFilter)) {
+  const PidGains& k = loop.gains.velocity;
+  of_missed = period * k.i;
+  of_slope = share * k.d;
+  of_drift = k.p + of_missed + of_slope / period;
+}
+
+template <class S>
+CascadeStep<S> cascade_step(const CascadeLoop& loop, const CascadeState<S>& state,
+                            const CascadeReferences& references) {
+  return Period<S>(loop, state, references).run();
+}
+
+using Model = CascadeRows::Model;
+
+template CascadeStep<double> cascade_step(const CascadeLoop&, const CascadeState<double>&,
+                                          const CascadeReferences&);
+template CascadeStep<Model> cascade_step(const CascadeLoop&, const CascadeState<Model>&,
+                                         const CascadeReferences&);
+
+CascadeState<Model> cascade_at_rest(const Model& lightness) {
+  CascadeState<Model> s;
+  s.lift.z = kGravity;
+  s.missing = kGravity - kGravity * inverse(lightness);
+  s.lightness = lightness;
+  s.drag = s.quickness = 1.0;
+  s.agility = {1.0, 1.0, 1.0};
+  return s;
+}
+
+}  // namespace traj
