@@ -126,11 +126,13 @@ inline Fate drawn_fate(support::Random& random, const FlightOptions& options, co
   const long all = std::lround((options.hover + duration + options.settle) / kStep);
   std::vector<Vec3> towards(static_cast<std::size_t>(all + 1), Vec3::Zero());
   if (kind == 2) {
-    const std::vector<double> kernel = response(options, d.gust_lag, push, 4);
+    const long seconds = options.law == ControlLaw::cascade ? 12 : 4;
+    const std::vector<double> kernel =
+        response(options, d.gust_lag, push, static_cast<double>(seconds));
     const auto last =
         static_cast<long>(random.uniform(options.hover / kStep, static_cast<double>(all)));
     for (long n = 0; n < last; ++n) {
-      const auto age = static_cast<std::size_t>(std::min<long>(last - n, 3999));
+      const auto age = static_cast<std::size_t>(std::min<long>(last - n, 1000 * seconds - 1));
       towards[static_cast<std::size_t>(n)] = (kernel[age] < 0 ? -1 : 1) * d.gust_most * push;
     }
   } else {

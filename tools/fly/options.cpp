@@ -220,7 +220,14 @@ traj::Disturbances Options::disturbances(const traj::FlightOptions& flight) cons
     refuse("the position gains must be above 0");
   }
   if (!geometric && !(position.i.isZero(0) && position.d.isZero(0))) {
-    refuse("the proof knows position gains p alone: these gains have i or d");
+    refuse(
+        "under the cascade the proof knows no i and d of the position loop, and these gains have "
+        "some");
+  }
+  const traj::PidGains& velocity = flight.gains.velocity;
+  if (!geometric &&
+      !(velocity.p.minCoeff() > 0 && velocity.i.minCoeff() >= 0 && velocity.d.minCoeff() >= 0)) {
+    refuse("the velocity gains must have p above 0, and i and d at least 0");
   }
   return {.wind = flight.wind.mean,
           .wind_spread = wind_spread,

@@ -10,7 +10,6 @@ namespace {
 constexpr int kJoined = 25;          // periods, 0.1 s
 constexpr int kGusts = 5;            // periods whose gusts are added up, 20 ms
 constexpr std::size_t kBatches = 5;  // 0.5 s
-constexpr std::size_t kOldest = 6;   // 3 s: older terms become a box
 constexpr double kUp = 1 + 1e-12;    // above the rounding of sums of thousands of terms
 
 // How terms grow fewer.
@@ -89,6 +88,23 @@ struct Joining {
     return out;
   }
 
+  // The same along linear forms.
+  template <class Forms>
+  static ErrorColumns around_along(const Forms& forms, const ErrorColumns& columns) {
+    const ErrorVector box = sums(columns);
+    Eigen::MatrixXd slow = forms * columns;
+    const Eigen::VectorXd sizes = slow.cwiseAbs().rowwise().sum().cwiseMax(1e-300);
+    slow = sizes.cwiseInverse().asDiagonal() * slow;
+    Eigen::MatrixXd gram = slow * slow.transpose();
+    gram.diagonal().array() += 1e-9 * gram.trace() + 1e-300;
+    ErrorColumns out = gram.ldlt().solve(slow * columns.transpose()).transpose();
+    if (!out.allFinite()) return box_columns(kUp * box);
+    const ErrorVector rest = sums(columns - out * slow);
+    out *= kUp;
+    append(out, box_columns(kUp * rest + 1e-12 * box));
+    return out;
+  }
+
   // One ball for neighbouring ones, their sum, and a box for how they differ from their mean.
   static void add_up(const ErrorColumns& balls, ErrorTerms& to, ErrorColumns& rest) {
     const Eigen::Index count = balls.cols() / 3;
@@ -133,6 +149,12 @@ ErrorSetOf<Rows>::ErrorSetOf(Terms held, const Vector& box) : held_(std::move(he
 }
 
 template <class Rows>
+ErrorColumnsOf<Rows> ErrorSetOf<Rows>::around(const ErrorColumnsOf<Rows>& columns) const {
+  return forms_.rows() > 0 ? Joining<Rows>::around_along(forms_, columns)
+                           : Joining<Rows>::around(columns);
+}
+
+template <class Rows>
 void ErrorSetOf<Rows>::advance(const Matrix& map, const PeriodErrorsOf<Rows>& added) {
   const auto move = [&](Terms& terms) {
     terms.balls = (map * terms.balls).eval();
@@ -148,7 +170,7 @@ void ErrorSetOf<Rows>::advance(const Matrix& map, const PeriodErrorsOf<Rows>& ad
   periods_.push_back(std::move(terms));
   if (periods_.size() >= 2 * kJoined) join_periods();
   if (joined_.size() >= 2 * kBatches) join_batches();
-  if (old_.size() >= 2 * kOldest) box_old();
+  if (old_.size() >= 2 * Rows::kOldest) box_old();
 }
 
 template <class Rows>
@@ -167,7 +189,7 @@ void ErrorSetOf<Rows>::join_periods() {
   }
   joined.intervals = Joining<Rows>::add_up_kinds(columns);
   Joining<Rows>::append(columns, rest);
-  Joining<Rows>::append(joined.intervals, Joining<Rows>::around(columns));
+  Joining<Rows>::append(joined.intervals, around(columns));
   joined_.push_back(std::move(joined));
 }
 
@@ -180,7 +202,7 @@ void ErrorSetOf<Rows>::join_batches() {
     Joining<Rows>::append(columns, joined_.front().intervals);
     joined_.pop_front();
   }
-  old.intervals = Joining<Rows>::around(columns);
+  old.intervals = around(columns);
   old_.push_back(std::move(old));
 }
 
@@ -188,17 +210,17 @@ void ErrorSetOf<Rows>::join_batches() {
 template <class Rows>
 void ErrorSetOf<Rows>::box_old() {
   ErrorColumnsOf<Rows> columns(Rows::kPadded, 0);
-  for (std::size_t k = 0; k < kOldest; ++k) {
+  for (std::size_t k = 0; k < Rows::kOldest; ++k) {
     Joining<Rows>::append(columns, old_.front().intervals);
     Joining<Rows>::append(columns, old_.front().balls);
     old_.pop_front();
   }
-  oldest_.push_back({ErrorColumnsOf<Rows>(Rows::kPadded, 0), Joining<Rows>::around(columns)});
+  oldest_.push_back({ErrorColumnsOf<Rows>(Rows::kPadded, 0), around(columns)});
   if (oldest_.size() <= 2) return;
   ErrorColumnsOf<Rows> both = oldest_[0].intervals;
   Joining<Rows>::append(both, oldest_[1].intervals);
   oldest_.pop_front();
-  oldest_.front().intervals = Joining<Rows>::around(both);
+  oldest_.front().intervals = around(both);
 }
 
 template <class Rows>

@@ -48,6 +48,11 @@ class ErrorSetOf {
   // start.
   ErrorSetOf(Terms held, const Vector& box);
 
+  // What boxes are taken along from now on, in place of the slow coordinates: linear forms that the
+  // loop hardly mixes, a row each.
+  using Forms = Eigen::Matrix<double, Eigen::Dynamic, Rows::kPadded>;
+  void box_along(Forms forms) { forms_ = std::move(forms); }
+
   // Deviations e become map e + what the period adds.
   void advance(const Matrix& map, const PeriodErrorsOf<Rows>& added);
 
@@ -71,6 +76,9 @@ class ErrorSetOf {
     }
   }
 
+  ErrorColumnsOf<Rows> around(const ErrorColumnsOf<Rows>& columns) const;
+
+  Forms forms_ = Forms(0, Rows::kPadded);
   Terms held_;
   std::deque<Terms> periods_;  // the newest, one each
   std::deque<Terms> joined_;   // kJoined periods each

@@ -90,6 +90,7 @@ struct GeometricRows {
   static constexpr int kNamed = 12;  // errors: of the torques of each millisecond
   static constexpr int kNamedKinds = 3;
   static constexpr int kind_of_named(int k) { return k % 3; }
+  static constexpr std::size_t kOldest = 6;  // halves of a second, before terms become a box
   static constexpr int kVelocity = 3;
   static constexpr int kSpin = 13;
   static constexpr int kTurned = 19;

@@ -10,6 +10,7 @@
 #include "tube/cascade_step.h"
 #include "tube/period_symbols.h"
 #include "tube/prove_cell.h"
+#include "tube/slow_modes.h"
 
 namespace traj {
 namespace {
@@ -189,7 +190,7 @@ class CascadeProof {
       middle_[i] = period.middle[i];
       period.added.box[i] += kSlack;
     }
-    look_at_modes(n, period.map);
+    look_at_modes(n, now.at.front().yaw, period.map);
     errors_.advance(period.map, period.added);
   }
 
@@ -214,13 +215,15 @@ class CascadeProof {
 
   // The loops run in the same order again after some periods: whether the loop in hover dies away
   // over these; notes its damping.
-  void look_at_modes(long n, const ErrorMatrixOf<Rows>& map) {
+  void look_at_modes(long n, double yaw, const ErrorMatrixOf<Rows>& map) {
     const int position = loop_.periods.position;
     const long order = position / std::gcd(position, period_);
     const long done = (n + before_) / period_;
     if (done >= order) return;
     modes_ = done == 0 ? map : ErrorMatrixOf<Rows>(map * modes_);
-    if (done + 1 < order || settles()) return;
+    if (done + 1 < order) return;
+    errors_.box_along(slow_modes(modes_, yaw, static_cast<double>(order * period_)));
+    if (settles()) return;
     out_.trouble = TubeTrouble{TubeTrouble::Kind::unstable, 0, static_cast<double>(n) * kStep, 0};
   }
 

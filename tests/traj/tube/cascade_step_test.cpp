@@ -145,5 +145,84 @@ TEST(CascadeStep, IsWhatTheSimulatorDoes) {
   }
 }
 
+// Every state within the radii is mapped to what the models say.
+TEST(CascadeStep, BoundsEveryStep) {
+  support::Random random(5);
+  const FlightOptions options = flight_of("tello");  // drag and inertia differ by axis
+  const CascadeLoop loop = loop_of(options);
+  const ReferenceTrack track(bend(0.4));
+  const double sizes[CascadeRows::kStates] = {0.3,  0.3, 0.3, 0.1, 0.1, 0.1, 0.02, 0.02, 0.2,  0.02,
+                                              0.2,  0.2, 0.2, 2,   2,   1,   2,    2,    1,    1,
+                                              1,    0.5, 0.2, 0.2, 0.2, 0.2, 0.2,  0.2,  0.02, 0.02,
+                                              0.02, 0.5, 0.5, 0.5, 0.3, 0.3, 0.3,  0.02};
+  int outside = 0;
+  int bounded = 0;
+  for (int k = 0; k < 200; ++k) {
+    const CascadeReferences references = references_of(
+        track, options, 4 * static_cast<long>(random.below(2400)), 4 * random.below(9));
+    CascadeState<Model> model;
+    std::vector<double> middle, radius;
+    const double share = std::pow(10, random.uniform(-4, 0));
+    const Vec3 lift = references.at[0].acceleration + kGravity * Vec3::UnitZ();
+    for_each(model, [&](int i, Model& m) {
+      const double c = i < 3                          ? lift[i]
+                       : i == CascadeRows::kLightness ? 1
+                                                      : random.uniform(-1, 1) * sizes[i];
+      middle.push_back(c);
+      radius.push_back(share * sizes[i]);
+      m = Model::symbol(c, i, radius.back());
+    });
+    auto after = cascade_step(loop, model, references);
+    for (int j = 0; j < 20; ++j) {
+      CascadeState<double> state;
+      std::vector<double> s(CascadeRows::kStates);
+      for_each(state, [&](int i, double& v) {
+        const auto at = static_cast<std::size_t>(i);
+        s[at] = j % 2 ? random.uniform(-1, 1) : (random.uniform(0, 1) < 0.5 ? -1 : 1);
+        v = middle[at] + radius[at] * s[at];
+      });
+      auto there = cascade_step(loop, state, references);
+      const auto holds = [&](const Model& m, double value) {
+        double line = m.c;
+        for (int i = 0; i < CascadeRows::kStates; ++i) {
+          line += m.l[i] * s[static_cast<std::size_t>(i)];
+        }
+        const double named = m.l.tail<Model::kSymbols - CascadeRows::kStates>().abs().sum();
+        outside += !(std::abs(value - line) <= named + m.r);
+        bounded += std::isfinite(m.r);
+      };
+      const auto all_hold = [&](const Triple<Model>& m, const Triple<double>& value) {
+        holds(m.x, value.x), holds(m.y, value.y), holds(m.z, value.z);
+      };
+      std::vector<double> values;
+      for_each(there.state, [&](int, double v) { values.push_back(v); });
+      for_each(after.state,
+               [&](int i, const Model& m) { holds(m, values[static_cast<std::size_t>(i)]); });
+      for (std::size_t n = 0; n < there.commands.size(); ++n) {
+        for (std::size_t i = 0; i < 4; ++i) holds(after.commands[n][i], there.commands[n][i]);
+        all_hold(after.moved[n], there.moved[n]);
+        holds(after.upright[n], there.upright[n]);
+      }
+      all_hold(after.rates, there.rates);
+      for (std::size_t n = 0; n < there.runs.size(); ++n) {
+        all_hold(after.runs[n].velocity, there.runs[n].velocity);
+        all_hold(after.runs[n].before, there.runs[n].before);
+        all_hold(after.runs[n].acceleration, there.runs[n].acceleration);
+        all_hold(after.runs[n].lift, there.runs[n].lift);
+      }
+    }
+  }
+  EXPECT_EQ(outside, 0);
+  EXPECT_GT(bounded, 200000) << "a bound that is infinite says nothing";
+}
+
+TEST(CascadeStep, HasNoBoundForAThrustThatMayPointDown) {
+  const FlightOptions options = flight_of("quad2kg");
+  CascadeState<Model> state = cascade_at_rest(1);
+  state.lift.z = Model::symbol(kGravity, 2, 10);
+  const auto step = cascade_step(loop_of(options), state, {.at = std::vector<Reference>(5)});
+  EXPECT_FALSE(std::isfinite(step.state.velocity.x.radius()));
+}
+
 }  // namespace
 }  // namespace traj

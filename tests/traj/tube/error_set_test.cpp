@@ -52,6 +52,7 @@ TEST(ErrorSet, HoldsWhatDisturbancesMayDo) {
         (ErrorVector() << ErrorVector::Ones().head<25>(), ErrorVector::Zero().tail<7>())
             .finished());
     ErrorSet set(held, box);
+    if (seed % 2) set.box_along(ErrorSet::Forms::Random(7, kErrorRows));
     std::vector<ErrorVector> errors(12);
     for (ErrorVector& e : errors) {
       e.setZero();

@@ -9,18 +9,19 @@
 namespace traj {
 namespace {
 
-FlightOptions flight_of(std::string_view vehicle) {
+FlightOptions flight_of(std::string_view vehicle, ControlLaw law = ControlLaw::geometric) {
   const auto profile = vehicle_named(vehicle);
   FlightOptions options{.quadrotor = *quadrotor_of(profile->airframe)};
   options.gains = *profile->airframe.gains;
-  options.law = ControlLaw::geometric;
+  options.law = law;
   options.hover = 0.6;
   options.settle = 0.4;
   return options;
 }
 
-void expect_inside(std::string_view vehicle, const Trajectory& trajectory, const Disturbances& d) {
-  const FlightOptions options = flight_of(vehicle);
+void expect_inside(std::string_view vehicle, const Trajectory& trajectory, const Disturbances& d,
+                   ControlLaw law = ControlLaw::geometric) {
+  const FlightOptions options = flight_of(vehicle, law);
   const ReferenceTrack track(trajectory);
   const ProvedTube tube = prove_tube(track, options, d, {});
   ASSERT_FALSE(tube.trouble) << vehicle;
@@ -69,12 +70,24 @@ TEST(ProveTube, HoldsVehiclesThatDifferFromWhatIsBelieved) {
   }
 }
 
+TEST(ProveTube, HoldsFlightsUnderTheCascade) {
+  expect_inside("quad2kg", testing::line({6, 3, 2}, 6),
+                {.wind = {1, -1, 0}, .wind_spread = 0.2, .gust_most = 0.5, .mass_error = 0.005},
+                ControlLaw::cascade);
+  expect_inside("crazyflie", testing::line({1, 1, 0.5}, 4),
+                {.wind_spread = 0.02, .gust_most = 0.1, .gust_lag = 0.5, .mass_error = 0.002},
+                ControlLaw::cascade);
+  expect_inside("tello", testing::line({1, 1, 0.5}, 4), {.gust_most = 0.05, .mass_error = 1e-4},
+                ControlLaw::cascade);
+}
+
 // The reference jumps to a speed when the trajectory begins.
 TEST(ProveTube, HoldsATrajectoryThatBeginsMoving) {
   State a, b;
   a.velocity = {0.004, 0, 0};
   b.position = {2, 1, 0};
   expect_inside("quad2kg", {{hermite(a, b, 4)}}, {.gust_most = 0.3});
+  expect_inside("quad2kg", {{hermite(a, b, 4)}}, {.gust_most = 0.3}, ControlLaw::cascade);
 }
 
 // The equations leave the simulator's where its steps are coarse: there is no radius then.
@@ -98,25 +111,90 @@ TEST(ProveTube, IsHeldAgainstTheSimulator) {
 // Whatever is asked for, a number is never a wrong one.
 TEST(ProveTube, GivesNoRadiusForExtremes) {
   const ReferenceTrack track(testing::line({2, 1, 0}, 2));
-  FlightOptions options = flight_of("quad2kg");
-  options.hover = 0.05;
-  for (const double gust : {1e1, 1e3, 1e100, 1e300}) {
-    EXPECT_TRUE(prove_tube(track, options, {.gust_most = gust}, {}, {1}).trouble) << gust;
-    EXPECT_TRUE(prove_tube(track, options, {.wind_spread = gust}, {}, {1}).trouble) << gust;
-    EXPECT_TRUE(prove_tube(track, options, {.wind = {gust * 10, 0, 0}}, {}, {1}).trouble) << gust;
+  for (const ControlLaw law : {ControlLaw::geometric, ControlLaw::cascade}) {
+    FlightOptions options = flight_of("quad2kg", law);
+    options.hover = 0.05;
+    for (const double gust : {1e1, 1e3, 1e100, 1e300}) {
+      EXPECT_TRUE(prove_tube(track, options, {.gust_most = gust}, {}, {1}).trouble) << gust;
+      EXPECT_TRUE(prove_tube(track, options, {.wind_spread = gust}, {}, {1}).trouble) << gust;
+      EXPECT_TRUE(prove_tube(track, options, {.wind = {gust * 10, 0, 0}}, {}, {1}).trouble) << gust;
+    }
+    EXPECT_TRUE(prove_tube(track, options, {.mass_error = 0.5}, {}, {1}).trouble);
   }
-  EXPECT_TRUE(prove_tube(track, options, {.mass_error = 0.5}, {}, {1}).trouble);
+}
+
+// A limit that is lowered until something is clipped: where the proof finds room, no flight is
+// clipped, and where there is none, it names the limit.
+void expect_clip(TubeTrouble::Kind kind, const std::function<void(FlightOptions&, double)>& limit,
+                 std::vector<double> values) {
+  const ReferenceTrack track(testing::line({4, 2, 1}, 3));
+  const Disturbances d{.wind_spread = 0.05, .gust_most = 0.1};
+  support::Random random(9);
+  int proved = 0;
+  int named = 0;
+  for (const double value : values) {
+    FlightOptions options = flight_of("quad2kg", ControlLaw::cascade);
+    limit(options, value);
+    const ProvedTube tube = prove_tube(track, options, d, {}, {1});
+    if (tube.trouble) {
+      EXPECT_EQ(tube.trouble->kind, kind) << value;
+      EXPECT_LE(tube.trouble->room, 0);
+      EXPECT_GT(tube.trouble->time, -0.6);
+      EXPECT_LT(tube.trouble->time, 3.4);
+      ++named;
+      continue;
+    }
+    ++proved;
+    for (int k = 0; k < 6; ++k) {
+      const auto fate = testing::drawn_fate(random, options, d, track.duration(), k % 3);
+      EXPECT_FALSE(testing::fly(track, options, d, fate).saturated) << value;
+    }
+  }
+  EXPECT_GT(proved, 0) << "the limit is never far enough";
+  EXPECT_GT(named, 0) << "the limit never bites";
+}
+
+TEST(ProveTube, SaysWhatTheCascadeMayClip) {
+  using Kind = TubeTrouble::Kind;
+  expect_clip(Kind::velocity, [](auto& o, double v) { o.gains.position.clip = v; }, {4, 2});
+  expect_clip(Kind::acceleration, [](auto& o, double v) { o.gains.velocity.clip = v; }, {8, 2});
+  expect_clip(Kind::lean, [](auto& o, double v) { o.gains.tilt_max = v; }, {0.7, 0.2});
+  expect_clip(Kind::rates, [](auto& o, double v) { o.quadrotor.body_rate_max.setConstant(v); },
+              {5, 0.5});
+  expect_clip(Kind::motor, [](auto& o, double v) { o.quadrotor.motor_most = v; }, {8, 5.8});
+}
+
+TEST(ProveTube, SaysWhenTheCascadeMayFallFreely) {
+  const FlightOptions options = flight_of("quad2kg", ControlLaw::cascade);
+  const ProvedTube tube =
+      prove_tube(ReferenceTrack(testing::line({0, 0, -18}, 3)), options, {}, {}, {1});
+  ASSERT_TRUE(tube.trouble);
+  EXPECT_EQ(tube.trouble->kind, TubeTrouble::Kind::lift);
 }
 
 // Without disturbances it is the nominal flight's own error.
 TEST(ProveTube, IsTightWhereNothingIsUnknown) {
-  const FlightOptions options = flight_of("quad2kg");
-  const ReferenceTrack track(testing::line({6, 3, 2}, 4));
-  const ProvedTube tube = prove_tube(track, options, {}, {});
+  for (const ControlLaw law : {ControlLaw::geometric, ControlLaw::cascade}) {
+    const FlightOptions options = flight_of("quad2kg", law);
+    const ReferenceTrack track(testing::line({6, 3, 2}, 4));
+    const ProvedTube tube = prove_tube(track, options, {}, {});
+    ASSERT_FALSE(tube.trouble);
+    const Flight flight = simulate(track, options, {});
+    EXPECT_NEAR(tube.largest, *std::max_element(flight.error.begin(), flight.error.end()), 3e-4);
+    EXPECT_EQ(tube.cells, 1u);
+  }
+}
+
+// The velocity loop's integral takes a constant wind away.
+TEST(ProveTube, KnowsThatTheCascadeTurnsAgainstAConstantWind) {
+  FlightOptions options = flight_of("quad2kg", ControlLaw::cascade);
+  options.hover = 0.01;
+  options.settle = 10;
+  const ReferenceTrack track(testing::line({0.1, 0, 0}, 10));
+  const ProvedTube tube = prove_tube(track, options, {.wind_spread = 0.5}, {});
   ASSERT_FALSE(tube.trouble);
-  const Flight flight = simulate(track, options, {});
-  EXPECT_NEAR(tube.largest, *std::max_element(flight.error.begin(), flight.error.end()), 3e-4);
-  EXPECT_EQ(tube.cells, 1u);
+  EXPECT_GT(tube.largest, 0.02);
+  EXPECT_LT(tube.radius.back(), 0.3 * tube.largest);
 }
 
 TEST(ProveTube, SaysWhyThereIsNone) {
@@ -129,9 +207,13 @@ TEST(ProveTube, SaysWhyThereIsNone) {
   EXPECT_LT(lively.damping, 0.1) << "Tello's tuned gains hardly damp";
   FlightOptions wild = flight_of("quad2kg");
   wild.gains.geometric.rates *= -1;
-  const ProvedTube unstable = prove_tube(track, wild, {.gust_most = 0.1}, {});
-  ASSERT_TRUE(unstable.trouble);
-  EXPECT_EQ(unstable.trouble->kind, TubeTrouble::Kind::unstable);
+  wild.gains.attitude *= -1;
+  for (const ControlLaw law : {ControlLaw::geometric, ControlLaw::cascade}) {
+    wild.law = law;
+    const ProvedTube unstable = prove_tube(track, wild, {.gust_most = 0.1}, {});
+    ASSERT_TRUE(unstable.trouble);
+    EXPECT_EQ(unstable.trouble->kind, TubeTrouble::Kind::unstable);
+  }
   FlightOptions weak = flight_of("quad2kg");
   weak.quadrotor.motor_most = 5;
   const ProvedTube saturated =

@@ -37,7 +37,9 @@ struct Disturbances {
   double inertia_error = 0;    // about each axis by itself
 };
 
-// Why nothing is proved.
+// Why nothing is proved. Under the cascade a command may be clipped: the velocity that the position
+// loop wants, the acceleration that the velocity loop wants, the lift, its horizontal part by the
+// largest tilt (lean), or the rates that the attitude loop wants.
 struct TubeTrouble {
   enum class Kind {
     motor,
@@ -53,7 +55,7 @@ struct TubeTrouble {
   } kind = Kind::motor;
   int motor = 0;    // 1 to 4: the command of this motor may leave its range,
   double time = 0;  // s, from the trajectory's start: then,
-  double room = 0;  // N, <= 0: by as much as this
+  double room = 0;  // N, m/s, m/s2 or rad/s, <= 0: by as much as this
 };
 
 inline constexpr geom::Words<TubeTrouble::Kind, 10> kTubeTroubleWords{{
@@ -109,11 +111,11 @@ struct TubeOptions {
 // clipped. `options.wind` and the errors of `options` are not looked at.
 //
 // Preconditions: at least a millisecond of hovering before, an attitude loop of at most 4 ms, no
-// sensor noise or delay, positive position gains, and for the cascade no others in the position
-// loop. Disturbances and noise that the simulator draws from a normal distribution have no bound,
-// and no claim is made for them.
+// sensor noise or delay, positive position gains; under the cascade no i and d of the position
+// loop, and velocity gains with p > 0, i >= 0 and d >= 0. Disturbances and noise that the simulator
+// draws from a normal distribution have no bound, and no claim is made for them.
 //
-// Cost: some 0.1 s a second of flight and cell, on a thread each. The same for any number of
+// Cost: some 0.1 to 0.3 s a second of flight and cell, on a thread each. The same for any number of
 // threads.
 ProvedTube prove_tube(const ReferenceTrack& track, const FlightOptions& options,
                       const Disturbances& disturbances, const geom::Execution& run,
