@@ -149,6 +149,35 @@ TEST(ProveTube, SaysWhenTheCascadeMayFallFreely) {
   EXPECT_EQ(tube.trouble->kind, TubeTrouble::Kind::lift);
 }
 
+// Two lines, with a heading of 0 and another one.
+Trajectory with_a_jump(double yaw) {
+  State a, b;
+  a.position = {1, 0, 0};
+  b.position = {2, 1, 0};
+  Trajectory out{{hermite({}, a, 2), hermite(a, b, 2)}};
+  for (Segment& s : out.segments) {
+    s.yaw.emplace();
+    s.yaw->fill(&s == &out.segments.back() ? yaw : 0);
+  }
+  return out;
+}
+
+// The sine of an angle is that of another one, too: a loop that turns too weakly for its motors to
+// saturate has no proof for a jump by more than a right angle.
+TEST(ProveTube, IsNotMisledByAHeadingThatJumps) {
+  for (const ControlLaw law : {ControlLaw::geometric, ControlLaw::cascade}) {
+    FlightOptions options = flight_of("quad2kg", law);
+    Gains& gains = options.gains;
+    gains.geometric.attitude.z() *= 0.01;
+    gains.geometric.rates.z() *= 0.1;
+    gains.attitude.z() *= 0.1;
+    const ProvedTube less = prove_tube(ReferenceTrack(with_a_jump(1.4)), options, {}, {}, {1});
+    EXPECT_FALSE(less.trouble);
+    const ProvedTube more = prove_tube(ReferenceTrack(with_a_jump(1.7)), options, {}, {}, {1});
+    EXPECT_TRUE(more.trouble);
+  }
+}
+
 // Without disturbances it is the nominal flight's own error.
 TEST(ProveTube, IsTightWhereNothingIsUnknown) {
   for (const ControlLaw law : {ControlLaw::geometric, ControlLaw::cascade}) {
