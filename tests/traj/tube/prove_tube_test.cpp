@@ -193,12 +193,12 @@ TEST(ProveTube, IsTightWhereNothingIsUnknown) {
 TEST(ProveTube, KnowsThatTheCascadeTurnsAgainstAConstantWind) {
   FlightOptions options = flight_of("quad2kg", ControlLaw::cascade);
   options.hover = 0.01;
-  options.settle = 10;
-  const ReferenceTrack track(testing::line({0.1, 0, 0}, 10));
+  options.settle = 5;
+  const ReferenceTrack track(testing::line({0.1, 0, 0}, 5));
   const ProvedTube tube = prove_tube(track, options, {.wind_spread = 0.5}, {});
   ASSERT_FALSE(tube.trouble);
   EXPECT_GT(tube.largest, 0.02);
-  EXPECT_LT(tube.radius.back(), 0.3 * tube.largest);
+  EXPECT_LT(tube.radius.back(), 0.5 * tube.largest);
 }
 
 TEST(ProveTube, SaysWhyThereIsNone) {
