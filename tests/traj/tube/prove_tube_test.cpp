@@ -193,8 +193,8 @@ TEST(ProveTube, IsTightWhereNothingIsUnknown) {
 TEST(ProveTube, KnowsThatTheCascadeTurnsAgainstAConstantWind) {
   FlightOptions options = flight_of("quad2kg", ControlLaw::cascade);
   options.hover = 0.01;
-  options.settle = 5;
-  const ReferenceTrack track(testing::line({0.1, 0, 0}, 5));
+  options.settle = 1;
+  const ReferenceTrack track(testing::line({0.1, 0, 0}, 11));
   const ProvedTube tube = prove_tube(track, options, {.wind_spread = 0.5}, {});
   ASSERT_FALSE(tube.trouble);
   EXPECT_GT(tube.largest, 0.02);
