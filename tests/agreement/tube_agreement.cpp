@@ -73,12 +73,13 @@ Case random_case(std::uint64_t seed, traj::ControlLaw law) {
   Case c;
   c.vehicle = seed % 3 == 0 ? "crazyflie" : seed % 3 == 1 ? "quad2kg" : "tello";
   const bool large = c.vehicle == "quad2kg";
-  c.trajectory = hop(random, large ? random.uniform(2, 8) : random.uniform(0.5, 2));
+  const bool cascade = law == traj::ControlLaw::cascade;
+  c.trajectory = hop(
+      random, large ? random.uniform(2, cascade ? 5 : 8) : random.uniform(0.5, cascade ? 1 : 2));
   c.options = options_of(c.vehicle, law);
   c.options.hover = 1;
   c.options.settle = 0.5;
   // What has proofs: the cascade strays further, and Tello's geometric gains hardly damp.
-  const bool cascade = law == traj::ControlLaw::cascade;
   const double scale = c.vehicle == "tello" ? (cascade ? 0.1 : 0.05) : cascade ? 0.4 : 1;
   traj::Disturbances& d = c.disturbances;
   d.wind = random.uniform(0, large ? 4 : 1) * scale * traj::testing::direction(random);

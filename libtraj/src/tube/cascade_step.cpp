@@ -82,9 +82,12 @@ Triple<S> tilt_first(const Frame<S>& is) {
   const S x = is.x.z;
   const S y = is.y.z;
   const S half_tilt = sqrt(0.5 * (1.0 + is.z.z));  // its cosine
-  // How the body's x axis points after the shortest turn that brings its z axis there.
-  const S across = is.x.y - is.x.z * is.z.y * inverse(1.0 + is.z.z);
-  const S half = (-0.5 * kYawWeight) * asin(across);
+  // The body's x axis after the shortest turn that brings its z axis there; half the angle to the
+  // wanted one is right up to half a turn.
+  const S share = is.x.z * inverse(1.0 + is.z.z);
+  const S ahead = is.x.x - share * is.z.x;
+  const S across = is.x.y - share * is.z.y;
+  const S half = (-kYawWeight) * asin(across * inverse(sqrt(2.0 * (1.0 + ahead))));
   const S c = cos(half);
   const S s = sin(half);
   const S grow = inverse(half_tilt);

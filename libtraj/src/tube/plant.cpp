@@ -166,7 +166,8 @@ Triple<S> wind_in(const Triple<S>& wind, const Triple<S>& gust, const LaggedGust
 
 namespace {
 
-// The heading as the next wanted frame sees it; `x` is the body's x axis.
+// The heading as the next wanted frame sees it; `x` is the body's x axis. Infinite where that may
+// turn by a right angle or more.
 template <class S>
 S turned_heading(const S& heading, const Triple<S>& x, const FrameChange<S>& d) {
   const S dx = dot(d.x, x);
@@ -175,6 +176,7 @@ S turned_heading(const S& heading, const Triple<S>& x, const FrameChange<S>& d) 
   const S next_x = x.x + dx;
   const S next_y = x.y + dy;
   const S after = sqrt(next_x * next_x + next_y * next_y);
+  if (!(least(x.x * next_x + x.y * next_y) > 0)) return std::numeric_limits<double>::infinity();
   return heading + asin((x.x * dy - x.y * dx) * inverse(before * after));
 }
 

@@ -9,8 +9,6 @@
 
 namespace traj {
 
-using std::sqrt;
-
 inline constexpr double kMillisecond = 1e-3;  // s
 
 // LaggedGusts that obey lag g' = n - g, with |n| <= most.
@@ -54,6 +52,7 @@ Frame<S> frame_of(const Body<S>& body, const Wanted<S>& wanted) {
 // Its size is 1.
 template <class S>
 Frame<S> frame_of(const TiltedBody<S>& body, const Wanted<S>&) {
+  using std::sqrt;
   return frame_along_unit<S>(
       {body.tilt_x, body.tilt_y, sqrt(1.0 - body.tilt_x * body.tilt_x - body.tilt_y * body.tilt_y)},
       body.heading);
