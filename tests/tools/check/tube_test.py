@@ -7,6 +7,7 @@ weaker, or `skyway-fly` proves it of the changed vehicle, trajectory and disturb
 import collections
 import json
 import os
+import pathlib
 import random
 import subprocess
 import sys
@@ -20,6 +21,9 @@ from tube_flight import fly as flown
 from tube_mutants import Mutants
 from verify_certificate import Refused, strict_json
 from verify_tube import Cell, Claim, rows_of, track_of, verify
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "support"))
+import schemas  # noqa: E402
 
 MUTANTS = int(sys.argv[2]) if len(sys.argv) > 2 else 60
 SEED = int(sys.argv[3]) if len(sys.argv) > 3 else 1
@@ -47,7 +51,7 @@ def fly(record, *options, codes=(0,)):
 
 
 def certified(record, *options):
-    fly(record, "--certificate", "c.jsonl", "--hover-time", "0.1", "--settle", "0.1", *options)
+    fly(record, "--certificate", "c.jsonl", "--hover-time", "0.1", "--settle", "0.05", *options)
     [certificate], [report] = read("c.jsonl"), read("r.jsonl")
     assert report["proved_tube"]["radius"] == certificate["radius"] and report["proved_tube"]["tilt"] == certificate["tilt"], report
     return record, certificate
@@ -146,10 +150,11 @@ def require_exit_codes(record, certificate):
 
 os.chdir(tempfile.mkdtemp())
 QUAD = ("--vehicle", "quad2kg", "--wind", "1,0.5,0", "--wind-spread", "0.1", "--gust-most", "0.3", "--mass-error", "0.004")
-cases = [certified(trajectory("along", [[0, 0, 5], [0.4, -0.2, 5.1]], 1.6), *QUAD),
-         certified(trajectory("turned", [[3, 0, 5], [3.2, 0.1, 5]], 1.6, yaw=0.3, frame="neu"), "--vehicle", "crazyflie", "--wind", "0.5,0,0",
+cases = [certified(trajectory("along", [[0, 0, 5], [0.06, -0.03, 5.02]], 0.8), *QUAD),
+         certified(trajectory("turned", [[3, 0, 5], [3.03, 0.02, 5]], 0.7, yaw=0.1, frame="neu"), "--vehicle", "crazyflie", "--wind", "0.5,0,0",
                    "--wind-spread", "0.05", "--gust-most", "0.1"),
-         certified(trajectory("cells", [[0, 0, 5], [0, 0, 5]], 0.4), *QUAD[:4], "--wind-spread", "1.2", "--mass-error", "0.03")]
+         certified(trajectory("cells", [[0, 0, 5], [0, 0, 5]], 0.2), *QUAD[:4], "--wind-spread", "1.2", "--mass-error", "0.03")]
+schema = schemas.validators(pathlib.Path(__file__).resolve().parents[3])["tube_certificate"]
 for record, certificate in cases:
     verify(record, certificate)
     most = require_flights_within(record, certificate, 4)
@@ -157,6 +162,7 @@ for record, certificate in cases:
     print(f"{record['id']}: cells {len(certificate['cells'])}, bytes {len(json.dumps(certificate))}, used by flights {most:.2f}", flush=True)
 assert len(cases[2][1]["cells"]) > 1, "no case has several cells"
 
+    schema.validate(certificate)
 require_exit_codes(*cases[0])
 tried, wrong, asked = collections.Counter(), [], collections.Counter()
 streams = [Mutants(SEED * 10 + i).of(*case) for i, case in enumerate(cases)]
