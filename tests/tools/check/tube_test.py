@@ -16,11 +16,12 @@ import tempfile
 import numpy as np
 
 from tool_runs import read, tool, write
+from tube_deviations import rows_of
 from tube_flight import STEP
 from tube_flight import fly as flown
 from tube_mutants import Mutants
 from verify_certificate import Refused, strict_json
-from verify_tube import Cell, Claim, rows_of, track_of, verify
+from verify_tube import Cell, Claim, track_of, verify
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "support"))
 import schemas  # noqa: E402
