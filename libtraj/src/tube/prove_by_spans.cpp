@@ -11,7 +11,8 @@ namespace {
 constexpr double kLeastRoom = 1.03;
 constexpr double kRoom = 1.045;
 constexpr double kLeastBound = 1e-8;
-constexpr int kPasses = 10;
+constexpr int kPasses = 8;
+constexpr double kMostGrowth = 5;  // larger bounds than so many times what was taken do not settle
 
 class Bounds {
  public:
@@ -23,6 +24,7 @@ class Bounds {
   }
 
   const std::vector<SpanBounds>& taken() const { return taken_; }
+  bool settling() const { return settling_; }
 
   // Whether there is room beyond what was found; else takes larger ones. What was found grew by
   // some share since the pass before, and is taken to grow by that once more.
@@ -33,6 +35,7 @@ class Bounds {
       out = out && kLeastRoom * now <= taken;
       now = std::max(now, kLeastBound);
       const double growth = std::max(now / before, 1.0);
+      settling_ = settling_ && now <= kMostGrowth * taken;
       if (kRoom * now > 0.995 * taken) taken = std::max(taken, kRoom * growth * now);
       before = now;
     });
@@ -52,6 +55,7 @@ class Bounds {
   std::vector<SpanBounds> taken_;
   std::vector<SpanBounds> found_;  // in the pass before
   const std::vector<SpanBounds>* now_ = nullptr;
+  bool settling_ = true;
 };
 
 }  // namespace
@@ -61,7 +65,7 @@ CellTube prove_by_spans(const ReferenceTrack& track, const FlightOptions& option
   CellTube found = prove_cell(track, options, disturbances, cell);
   if (found.trouble) return found;
   Bounds bounds(found.bounds);
-  for (int pass = 0; pass < kPasses; ++pass) {
+  for (int pass = 0; pass < kPasses && bounds.settling(); ++pass) {
     TubeCell taken = cell;
     taken.bounds = bounds.taken();
     found = prove_cell(track, options, disturbances, taken);

@@ -81,9 +81,7 @@ ProvedTube prove_tube(const ReferenceTrack& track, const FlightOptions& options,
       if (!trouble) trouble = proved[i].trouble;
       const std::vector<TubeCell> halves = parts(cells[i], d);
       next.insert(next.end(), halves.begin(), halves.end());
-      const TubeTrouble::Kind kind = proved[i].trouble->kind;
-      if (halves.size() < 2 || kind == TubeTrouble::Kind::unstable ||
-          kind == TubeTrouble::Kind::bounds) {
+      if (halves.size() < 2 || proved[i].trouble->kind == TubeTrouble::Kind::unstable) {
         divisible = false;
       }
     }

@@ -201,8 +201,7 @@ class Deviations:
     @staticmethod
     def joined(blocks):
         terms = Terms.all(blocks)
-        balls, rest = added_up(terms.balls, BLOCK // JOINED)
-        return Terms(around(np.hstack([terms.intervals, rest]), ROUNDING * terms.sizes()), balls)
+        return Terms(around(terms.intervals, ROUNDING * terms.sizes()), terms.balls)
 
 
 def added_up(balls, count):
