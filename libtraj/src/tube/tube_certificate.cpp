@@ -13,7 +13,7 @@ namespace {
 
 using geom::JsonLine;
 
-constexpr double kRoom = 1.02;
+constexpr double kRoom = 1.015;
 
 double read(const std::string& text) {
   double out = 0;

@@ -188,8 +188,8 @@ def coordinates(s, controller, quadrotor):
             *(s[10 + i] - controller.last_rates[i] for i in range(3)), 0.0, 0.0, 0.0, *quadrotor.wind, claim.mass / quadrotor.mass]
 
 
-def fly(claim, track, wind, lightness, periods):
-    """The states at the starts of so many periods and one more, and the positions then, of the flight that meets no gust.
+def fly(claim, track, wind, lightness, periods, gusts=None):
+    """The states at the starts of so many periods and one more, and the positions then, of a flight. `gusts` has those of each step.
 
     It starts at rest on the first reference, claim.before steps before the trajectory.
     """
@@ -205,7 +205,9 @@ def fly(claim, track, wind, lightness, periods):
         controller.look(s, [r[k] for r in rows])
         states.append(coordinates(s, controller, quadrotor))
         places.append(s[:3])
-        if k < periods:
-            for _ in range(claim.period):
-                s = quadrotor.stepped(s, controller.command(s))
+        for n in range(k * claim.period, (k + 1) * claim.period if k < periods else 0):
+            if gusts is not None:
+                quadrotor.wind = [w + g for w, g in zip(wind, gusts[n])]
+            s = quadrotor.stepped(s, controller.command(s))
+        quadrotor.wind = wind
     return np.array(states), np.array(places)

@@ -1,26 +1,33 @@
 """tube_test.py BIN_DIR [MUTANTS [SEED]]: proofs of tubes hold for the independent verifier, and not once tampered with.
 
-Of so many changed certificates (150 without a number) each is refused, or what it claims is still true: the claim is the same or
+Of so many changed certificates (60 without a number) each is refused, or what it claims is still true: the claim is the same or
 weaker, or `skyway-fly` proves it of the changed vehicle, trajectory and disturbances.
 """
 
 import collections
 import json
-import math
 import os
+import pathlib
 import random
+import subprocess
 import sys
 import tempfile
 
+import numpy as np
+
 from tool_runs import read, tool, write
-from verify_certificate import Refused, strict_json
-from verify_tube import verify
-
-MUTANTS = int(sys.argv[2]) if len(sys.argv) > 2 else 150
-SEED = int(sys.argv[3]) if len(sys.argv) > 3 else 1
-
+from tube_deviations import rows_of
+from tube_flight import STEP
+from tube_flight import fly as flown
 from tube_mutants import Mutants
+from verify_certificate import Refused, strict_json
+from verify_tube import Cell, Claim, track_of, verify
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "support"))
+import schemas  # noqa: E402
+
+MUTANTS = int(sys.argv[2]) if len(sys.argv) > 2 else 60
+SEED = int(sys.argv[3]) if len(sys.argv) > 3 else 1
 ALONG = (0, 0, 0, 0, 1, 1, 1, 1)
 
 
@@ -45,7 +52,7 @@ def fly(record, *options, codes=(0,)):
 
 
 def certified(record, *options):
-    fly(record, "--certificate", "c.jsonl", "--hover-time", "0.1", "--settle", "0.1", *options)
+    fly(record, "--certificate", "c.jsonl", "--hover-time", "0.1", "--settle", "0.05", *options)
     [certificate], [report] = read("c.jsonl"), read("r.jsonl")
     assert report["proved_tube"]["radius"] == certificate["radius"] and report["proved_tube"]["tilt"] == certificate["tilt"], report
     return record, certificate
@@ -69,6 +76,43 @@ def proved_again(record, certificate):
         all(found <= claimed for found, claimed in zip(tube["radius"], c["radius"]))
 
 
+def pushed(chance, claim, steps):
+    """Gusts that run from one end to the other of what is allowed, at random times."""
+    gust, towards, out = np.zeros(3), np.zeros(3), []
+    for _ in range(steps):
+        out.append(gust.tolist())
+        if chance.random() < 0.005:
+            towards = chance.normal(size=3)
+            towards *= claim.gust_most / np.linalg.norm(towards)
+        gust = claim.gust_kept(1) * gust + (1 - claim.gust_kept(1)) * towards
+    return out
+
+
+def require_flights_within(record, certificate, flights):
+    """Of some flights the deviations are within the bounds of their cell, and the places within the radii."""
+    claim, track, chance = Claim(certificate), track_of(record, certificate["frame"]), np.random.default_rng(SEED)
+    cells = certificate["cells"]
+    most = 0
+    for one in chance.choice(len(cells), flights):
+        cell = Cell(claim, cells[one]["part"])
+        wind, radius, lightness, half = cell.nominal()
+        periods = (claim.before + round((track.duration + claim.settle) / STEP)) // claim.period
+        nominal, _ = flown(claim, track, wind, lightness, periods)
+        away = chance.normal(size=3)
+        away = away / np.linalg.norm(away) * radius[0] if cell.is_ball else np.sign(away) * radius
+        states, places = flown(claim, track, (np.array(wind) + away).tolist(), lightness + chance.choice([-1, 1]) * half, periods,
+                               pushed(chance, claim, periods * claim.period))
+        bounds = np.repeat(cells[one]["bounds"], claim.span, axis=0)[:periods + 1]
+        deviations = np.abs((states - nominal) @ rows_of(claim)[:22].T) / bounds[:, :22]
+        assert deviations.max() <= 1, (record["id"], deviations.max(0))
+        most = max(most, deviations.max())
+        steps = np.arange(periods + 1) * claim.period - claim.before
+        off = np.linalg.norm(places - track.at(-claim.before, periods * claim.period - claim.before)[0][::claim.period], axis=1)
+        radii = np.array(claim.radius)[np.clip(steps // 100, 0, len(claim.radius) - 1)]
+        assert np.all((off <= radii)[steps >= 0]), (record["id"], (off / radii).max())
+    return most
+
+
 def outcome(record, certificate):
     """As a file would be read: what is no JSON is refused."""
     try:
@@ -78,17 +122,49 @@ def outcome(record, certificate):
         return "refused"
 
 
+def script(*arguments, **environment):
+    """Exit code and words of the script as a program."""
+    name = os.path.join(os.path.dirname(os.path.abspath(__file__)), "verify_tube.py")
+    done = subprocess.run([sys.executable, "-B", name, *arguments], capture_output=True, text=True, env={**os.environ, **environment})
+    return done.returncode, done.stdout + done.stderr
+
+
+def require_exit_codes(record, certificate):
+    write("record.jsonl", [record])
+    assert script("record.jsonl", write("good.jsonl", [certificate]))[0] == 0
+    code, words = script("record.jsonl", write("bad.jsonl", [{**certificate, "tilt": 0.5 * certificate["tilt"]}]))
+    assert code == 1 and "refused: at" in words, words
+    code, words = script("record.jsonl", write("other.jsonl", [{**certificate, "id": "other"}]))
+    assert code == 1 and "there is no record of this certificate" in words and "there is no certificate" in words, words
+    assert script("record.jsonl")[0] == 2
+    text = json.dumps(certificate)
+    for name, broken in (("cut.jsonl", text[:len(text) // 2]), ("none.jsonl", ""), ("twice.jsonl", text + "\n" + text + "\n")):
+        with open(name, "w", encoding="utf-8") as file:
+            file.write(broken)
+        assert script("record.jsonl", name)[0] == 3, name
+    os.mkdir("without")
+    with open("without/numpy.py", "w", encoding="utf-8") as file:
+        file.write("raise ImportError\n")
+    code, words = script("record.jsonl", "good.jsonl", PYTHONPATH="without")
+    assert code == 3 and "needs NumPy" in words, words
+
+
 os.chdir(tempfile.mkdtemp())
 QUAD = ("--vehicle", "quad2kg", "--wind", "1,0.5,0", "--wind-spread", "0.1", "--gust-most", "0.3", "--mass-error", "0.004")
-cases = [certified(trajectory("along", [[0, 0, 5], [0.4, -0.2, 5.1]], 1.6), *QUAD),
-         certified(trajectory("turned", [[3, 0, 5], [3.2, 0.1, 5]], 1.6, yaw=0.3, frame="neu"), "--vehicle", "crazyflie", "--wind", "0.5,0,0",
+cases = [certified(trajectory("along", [[0, 0, 5], [0.06, -0.03, 5.02]], 0.8), *QUAD),
+         certified(trajectory("turned", [[3, 0, 5], [3.03, 0.02, 5]], 0.7, yaw=0.1, frame="neu"), "--vehicle", "crazyflie", "--wind", "0.5,0,0",
                    "--wind-spread", "0.05", "--gust-most", "0.1"),
-         certified(trajectory("cells", [[0, 0, 5], [0, 0, 5]], 0.4), *QUAD[:4], "--wind-spread", "1.2", "--mass-error", "0.03")]
+         certified(trajectory("cells", [[0, 0, 5], [0, 0, 5]], 0.2), *QUAD[:4], "--wind-spread", "1.2", "--mass-error", "0.03")]
+schema = schemas.validators(pathlib.Path(__file__).resolve().parents[3])["tube_certificate"]
 for record, certificate in cases:
     verify(record, certificate)
-    print(record["id"], len(certificate["cells"]), "cells", len(json.dumps(certificate)), "bytes", flush=True)
+    most = require_flights_within(record, certificate, 4)
+    assert most > 0.3, f"bounds of {record['id']} that are far too wide: at most {most} is used"
+    print(f"{record['id']}: cells {len(certificate['cells'])}, bytes {len(json.dumps(certificate))}, used by flights {most:.2f}", flush=True)
+    schema.validate(certificate)
 assert len(cases[2][1]["cells"]) > 1, "no case has several cells"
 
+require_exit_codes(*cases[0])
 tried, wrong, asked = collections.Counter(), [], collections.Counter()
 streams = [Mutants(SEED * 10 + i).of(*case) for i, case in enumerate(cases)]
 chance = random.Random(SEED)

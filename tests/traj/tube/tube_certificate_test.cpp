@@ -55,14 +55,14 @@ TEST(TubeCertificate, HasRoomForACheckerThatSumsOtherwise) {
   ASSERT_EQ(roomy.radius.size(), plain.radius.size());
   for (std::size_t k = 0; k < plain.radius.size(); ++k) {
     EXPECT_GE(spans.radius[k], plain.radius[k]) << "bounds of spans are not below those of periods";
-    EXPECT_GE(roomy.radius[k], 1.02 * spans.radius[k]);
-    EXPECT_LE(roomy.radius[k], 1.06 * plain.radius[k]);
+    EXPECT_GE(roomy.radius[k], 1.015 * spans.radius[k]);
+    EXPECT_LE(roomy.radius[k], 1.05 * plain.radius[k]);
   }
   EXPECT_EQ(roomy.largest, *std::max_element(roomy.radius.begin(), roomy.radius.end()));
   EXPECT_GT(roomy.tilt, spans.tilt);
   for (std::size_t k = 0; k < plain.proofs[0].bounds.size(); ++k) {
     for (std::size_t i = 0; i < kSpanBounds; ++i) {
-      EXPECT_GE(roomy.proofs[0].bounds[k][i], 1.06 * plain.proofs[0].bounds[k][i]);
+      EXPECT_GE(roomy.proofs[0].bounds[k][i], 1.03 * plain.proofs[0].bounds[k][i]);
     }
   }
 }

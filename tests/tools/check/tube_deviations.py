@@ -1,0 +1,223 @@
+"""What disturbances so far may have done to a flight, as sums that linear maps carry on from period to period.
+
+verify_tube.py compares them with what a certificate claims.
+"""
+
+import numpy as np
+
+from tube_flight import GRAVITY, GUST, LAG, LIFT, LIGHTNESS, SPIN, STATES, TURNED, VELOCITY, WIND
+from tube_period import ROUNDING
+
+SLACK = 1e-9  # by so much the simulator may differ from the equations in each coordinate and period,
+SPIN_SLACK = 1e-7  # but in angular accelerations by so much, which are larger numbers
+BOUNDED = 25  # rows whose bounds a certificate has
+CHANGING = 25  # rows that are not the same for ever
+SLACKS = np.full(CHANGING, SLACK)
+SLACKS[SPIN:TURNED] = SPIN_SLACK
+BLOCK = 25  # periods whose disturbances grow old together
+JOINED = 5  # periods whose gusts are added up
+SLOW = [0, 1, 2, 3, 4, 5, 9]  # lift, velocity and heading, which what is fast soon follows
+AGED = 10  # blocks, then what they did is joined
+OLD = 4  # of those, then it becomes a box
+UP = 1 + 1e-12  # above the rounding of sums of thousands of terms of one sign
+
+
+def rows_of(claim):
+    """Linear forms whose bounds are asked for: the rows of the certificate, and the place."""
+    forms = np.zeros((BOUNDED + 3, STATES))
+    forms[:BOUNDED, :BOUNDED] = np.eye(BOUNDED)
+    drag = claim.drag_rate
+    for i in range(3):
+        if drag:
+            forms[GUST + i, [LIFT + i, VELOCITY + i, GUST + i, WIND + i]] = 1, -drag, drag, drag
+        forms[BOUNDED + i, [LIFT + i, VELOCITY + i]] = -1 / claim.position[i], -claim.velocity[i] / claim.position[i]
+    return forms
+
+
+def ball_norms(images):
+    """Of images (..., 3 n) of n balls: the sum of their lengths."""
+    return lengths(images).sum(-1)
+
+
+def lengths(images):
+    a, b, c = (images[..., i::3] for i in range(3))
+    return np.sqrt(a * a + b * b + c * c)
+
+
+def ball_reach(images):
+    """Of images (..., 3, 3 n) in space of n balls: the sum of bounds of how far each reaches."""
+    return stretches(images).sum(-1)
+
+
+def stretches(images):
+    """Gershgorin's bound, of k^T k for the image k of each ball."""
+    a, b, c = (images[..., i::3] for i in range(3))
+    ab, bc, ca = (np.abs((x * y).sum(-2)) for x, y in ((a, b), (b, c), (c, a)))
+    rows = ((a * a).sum(-2) + ab + ca, (b * b).sum(-2) + ab + bc, (c * c).sum(-2) + bc + ca)
+    return np.sqrt(np.maximum(np.maximum(rows[0], rows[1]), rows[2]))
+
+
+class Terms:
+    """Deviations as a sum: columns times numbers in [-1, 1], and threes of columns times vectors of length at most 1."""
+
+    def __init__(self, intervals, balls):
+        self.intervals, self.balls = intervals, balls
+
+    @staticmethod
+    def all(terms):
+        return Terms(np.hstack([t.intervals for t in terms]), np.hstack([t.balls for t in terms]))
+
+    def moved(self, matrix):
+        return Terms(matrix @ self.intervals, matrix @ self.balls)
+
+    def sizes(self):
+        """Of each row, at most: the sum of all columns."""
+        return np.abs(self.intervals).sum(1) + np.abs(self.balls).sum(1)
+
+    def bounds(self, forms):
+        """Of linear forms (..., STATES)."""
+        shape, forms = forms.shape[:-1], np.ascontiguousarray(forms.reshape(-1, STATES))
+        rounding = ROUNDING * (np.abs(forms) @ self.sizes())
+        out = (np.abs(forms @ self.intervals).sum(-1) + ball_norms(forms @ self.balls)) * UP + rounding
+        return out.reshape(shape)
+
+    def reach(self, forms):
+        """Of forms (..., 3, STATES): what intervals do along each axis, and how far balls reach."""
+        rounding = ROUNDING * (np.abs(forms) @ self.sizes())
+        return np.abs(forms @ self.intervals).sum(-1) * UP + rounding, ball_reach(forms @ self.balls) * UP
+
+
+class Deviations:
+    """All that disturbances so far may have done, from block to block."""
+
+    def __init__(self, claim, cell):
+        self.claim = claim
+        wind, radius, lightness, lightness_half = cell.nominal()
+        held = np.zeros((STATES, 3))
+        held[WIND:WIND + 3] = np.diag(radius)
+        mass = np.zeros((STATES, 1))
+        mass[LIGHTNESS] = lightness_half
+        mass[LAG + 2] = GRAVITY / lightness**2 * lightness_half
+        none = np.zeros((STATES, 0))
+        self.held = Terms(mass, held) if cell.is_ball else Terms(np.hstack([held, mass]), none)
+        start = np.zeros((STATES, 1))
+        start[LAG + 2] = GRAVITY * lightness_half**2 / (lightness - lightness_half) ** 3 * UP + SLACK
+        start[:CHANGING, 0] += SLACKS
+        self.tail = Terms(np.diag(start[:, 0]), none)
+        self.recent, self.aged, self.old = Terms(none, none), [], []
+        self.gust = np.zeros((STATES, 3))
+        self.gust[GUST:GUST + 3] = np.eye(3) * (1 - claim.gust_kept(claim.period)) * claim.gust_most * UP
+        self.forms = rows_of(claim)
+
+    def parts(self):
+        return self.held, self.now
+
+    def begin(self, maps, named, box):
+        """A block of periods: their maps (n, STATES, STATES), columns of named errors, and boxes."""
+        self.now = Terms.all([self.tail, *self.old, *self.aged, self.recent])
+        sizes = self.sizes = sum(part.bounds(np.eye(STATES)) for part in self.parts())
+        self.products, self.lost = [np.eye(STATES)], [np.zeros(STATES)]  # lost: by the rounding of the products
+        for m in maps:
+            self.lost.append(np.abs(m) @ (self.lost[-1] + ROUNDING * (np.abs(self.products[-1]) @ sizes)))
+            self.products.append(m @ self.products[-1])
+        none = np.zeros((STATES, 0))
+        self.own = [Terms(none, none)]  # of this block, at the start of each period and at the end
+        for j, m in enumerate(maps):
+            now, width = self.own[-1], named.shape[2]
+            fresh = np.zeros((STATES, width + CHANGING))
+            fresh[:CHANGING, :width] = named[j]
+            fresh[:CHANGING, width:] = np.diag(box[j] + ROUNDING * (np.abs(m) @ now.sizes())[:CHANGING])
+            moved = now.moved(m)
+            self.own.append(Terms(np.hstack([moved.intervals, fresh]), np.hstack([moved.balls, self.gust])))
+
+    def bounds(self):
+        """At the start of each period: of the forms of rows_of(), and of the length of what the last three give."""
+        count = len(self.products) - 1
+        products = np.array(self.products[:-1])
+        forms = self.forms @ products
+        bounds = np.array(self.lost[:-1]) @ np.abs(self.forms).T * UP
+        bounds = bounds + ROUNDING * ((np.abs(self.forms) @ np.abs(products)) @ self.sizes)
+        across, reach = bounds[:, BOUNDED:], np.zeros(count)
+        for part in self.parts():
+            bounds = bounds + part.bounds(forms)
+            along, balls = part.reach(forms[:, BOUNDED:])
+            across, reach = across + along, reach + balls
+        own_bounds, own_across, own_reach = self.own_bounds()
+        return bounds + own_bounds, np.sqrt(((across + own_across) ** 2).sum(-1)) * UP + reach + own_reach
+
+    def own_bounds(self):
+        """Of what this block has added, at the start of each period: of the forms, of the place along each axis, and its reach."""
+        bounds, across, reach = np.zeros((len(self.own) - 1, len(self.forms))), np.zeros((len(self.own) - 1, 3)), np.zeros(len(self.own) - 1)
+        if len(self.own) > 2:
+            some = self.own[1:-1]  # nothing has been added at the start of the block
+            whole = Terms.all(some)
+            at, ball_at = (np.cumsum([0, *widths[:-1]]) for widths in zip(*((t.intervals.shape[1], t.balls.shape[1] // 3) for t in some)))
+            sums = np.add.reduceat(np.abs(self.forms @ whole.intervals), at, axis=1).T * UP
+            balls = self.forms @ whole.balls
+            rounding = ROUNDING * (np.array([t.sizes() for t in some]) @ np.abs(self.forms).T)
+            bounds[1:] = sums + np.add.reduceat(lengths(balls), ball_at, axis=1).T * UP + rounding
+            across[1:] = sums[:, BOUNDED:] + rounding[:, BOUNDED:]
+            reach[1:] = np.add.reduceat(stretches(balls[BOUNDED:]), ball_at) * UP
+        return bounds, across, reach
+
+    def bounds_at(self, periods, forms):
+        """Of some forms, each at the start of some period of the block."""
+        products = np.array(self.products)[periods]
+        before = np.einsum("fi,fij->fj", forms, products)
+        rounding = ROUNDING * (np.einsum("fi,fij->fj", np.abs(forms), np.abs(products)) @ self.sizes)
+        out = sum(part.bounds(before) for part in self.parts()) + (np.abs(forms) * np.array(self.lost)[periods]).sum(-1) * UP
+        for j in np.unique(periods):
+            out[periods == j] += self.own[j].bounds(forms[periods == j])
+        return out + rounding
+
+    def end(self):
+        """To the start of the next block."""
+        through = self.products[-1]
+        lost = self.lost[-1] + ROUNDING * (np.abs(through) @ sum(part.sizes() for part in self.parts()))
+        self.held, self.tail, recent = (part.moved(through) for part in (self.held, self.tail, self.recent))
+        self.old, self.aged = ([part.moved(through) for part in parts] for parts in (self.old, self.aged))
+        if recent.balls.shape[1] == 3 * BLOCK:
+            self.age(recent)
+        self.recent = self.own[-1]
+        self.recent.intervals[:CHANGING, -CHANGING:] += np.diag(lost[:CHANGING])
+
+    def age(self, block):
+        """Adds up errors of a kind over the periods of a block. Few columns hold how they differ from their mean."""
+        balls, rest = added_up(block.balls, JOINED)
+        columns = block.intervals.reshape(STATES, BLOCK, -1)
+        kinds = columns[:, :, :-CHANGING].reshape(STATES, -1, 3), columns[:, :, -CHANGING:]
+        means = [kind.mean(1, keepdims=True) for kind in kinds]
+        rest = [rest, *((kind - middle).reshape(STATES, -1) for kind, middle in zip(kinds, means))]
+        sums = [middle[:, 0] * kind.shape[1] for kind, middle in zip(kinds, means)]
+        self.aged.append(Terms(np.hstack([*sums, around(np.hstack(rest), ROUNDING * block.sizes())]), balls))
+        if len(self.aged) == 2 * AGED:
+            self.old.append(self.joined(self.aged[:AGED]))
+            del self.aged[:AGED]
+        if len(self.old) == 2 * OLD:
+            oldest = Terms.all([self.tail, *self.old[:OLD]])
+            self.tail = Terms(around(np.hstack([oldest.intervals, oldest.balls]), np.zeros(STATES)), np.zeros((STATES, 0)))
+            del self.old[:OLD]
+
+    @staticmethod
+    def joined(blocks):
+        terms = Terms.all(blocks)
+        return Terms(around(terms.intervals, ROUNDING * terms.sizes()), terms.balls)
+
+
+def added_up(balls, count):
+    """One ball in place of so many neighbouring ones, their sum, and a box for how they differ from their mean."""
+    balls = balls.reshape(STATES, -1, count, 3)
+    mean = balls.mean(2, keepdims=True)
+    return (mean * count).reshape(STATES, -1), np.diag(ball_norms((balls - mean).reshape(STATES, -1)))
+
+
+def around(columns, more):
+    """Few columns around many and a box: a box of what is slow, to which what is fast is tied, and a box for what that leaves.
+    Any tie is right."""
+    box = np.abs(columns).sum(1)
+    scaled = columns[SLOW] / np.maximum(box[SLOW], 1e-300)[:, None]
+    gram = scaled @ scaled.T
+    ties = np.linalg.solve(gram + np.eye(len(SLOW)) * (1e-9 * np.trace(gram) + 1e-300), scaled @ columns.T).T
+    ties[SLOW] = np.diag(box[SLOW])
+    rest = np.abs(columns - ties @ scaled).sum(1) + ROUNDING * (box + np.abs(ties) @ np.abs(scaled).sum(1)) + more
+    return np.hstack([ties, np.diag(rest)]) * UP

@@ -1,0 +1,79 @@
+"""tube_deviations_test.py: bounds of tube_deviations.py are never below the worst that disturbances can do, and near it.
+
+The worst for a linear form at an instant is known exactly: the form is carried back through the maps, and every disturbance of a period does its worst
+for what it has become. Over 10 s all that is added up, joined and boxed comes to bear.
+"""
+
+import math
+import types
+
+import numpy as np
+
+from tube_deviations import BLOCK, BOUNDED, CHANGING, Deviations, rows_of
+from tube_flight import STATES
+from verify_tube import Cell
+
+PERIODS = 100 * BLOCK
+CLAIM = types.SimpleNamespace(wind=[1.0, 0.0, 0.0], wind_spread=0.2, mass_error=0.01, period=4, gust_most=0.5, drag_rate=0.12, position=[4.0, 5.0, 6.0],
+                              velocity=[3.0, 4.0, 5.0], gust_kept=lambda ms: math.exp(-ms * 1e-3))
+
+
+def maps_of(chance):
+    """Of a loop that dies away, turns, and changes as time goes on."""
+    size = 22
+    turn = chance.normal(size=(size, size)) * 2
+    rates = np.diag(-np.geomspace(1.5, 120, size))
+    out = np.zeros((PERIODS, STATES, STATES))
+    for k in range(PERIODS):
+        moves = 0.004 * (rates + (turn - turn.T) * math.sin(k / 200))
+        out[k, :size, :size] = np.eye(size) + moves + moves @ moves / 2
+        out[k, :size, 22:] = 0.004 * chance.normal(size=(size, 7)) if k % 50 == 0 else out[k - 1, :size, 22:]
+        out[k, 22:25, 22:25] = np.eye(3) * CLAIM.gust_kept(4)
+        out[k, 25:, 25:] = np.eye(4)
+    return out
+
+
+def worst(form, period, maps, named, box, deviations):
+    """Of the form at the start of the period, and the worst length of three forms without intervals."""
+    total = 0.0
+    for k in range(period - 1, -1, -1):
+        total += np.linalg.norm(form @ deviations["gust"]) + np.abs(form[:CHANGING] @ named[k]).sum() + np.abs(form[:CHANGING]) @ box[k]
+        form = form @ maps[k]
+    held = deviations["held"]
+    return total + np.abs(form @ held.intervals).sum() + np.linalg.norm(form @ held.balls) + np.abs(form @ deviations["tail"].intervals).sum()
+
+
+def main():
+    chance = np.random.default_rng(5)
+    maps = maps_of(chance)
+    # What disturbs changes slowly, and by a little at random.
+    slowly = lambda shape: chance.normal(size=shape) * (1 + 0.3 * np.sin(np.arange(PERIODS) / 50).reshape(-1, *[1] * len(shape)))
+    a_little = lambda shape: 1 + 0.02 * chance.normal(size=(PERIODS, *shape))
+    named = np.tile(slowly((CHANGING, 3)), 4) * a_little((CHANGING, 12)) * 1e-4
+    box = np.abs(slowly((CHANGING,)) * a_little((CHANGING,))) * 1e-4
+    for part, periods in (((), PERIODS), ((3,), 3 * BLOCK)):
+        deviations = Deviations(CLAIM, Cell(CLAIM, part))
+        begun = {"gust": deviations.gust.copy(), "held": deviations.held, "tail": deviations.tail}
+        forms, ratios = rows_of(CLAIM), []
+        for begin in range(0, periods, BLOCK):
+            block = slice(begin, begin + BLOCK)
+            deviations.begin(maps[block], named[block], box[block])
+            bounds, reach = deviations.bounds()
+            if begin // BLOCK in (0, 1, 2, 25, 60, 99):
+                for j in (0, 7):
+                    exact = np.array([worst(form, begin + j, maps, named, box, begun) for form in forms])
+                    assert np.all(bounds[j] >= exact), (begin + j, bounds[j] / exact)
+                    at = deviations.bounds_at(np.full(len(forms), j), forms)
+                    assert np.all(at >= exact) and np.allclose(at, bounds[j], rtol=1e-9), at / bounds[j]
+                    # Along any direction the place is at most so far off.
+                    for _ in range(8):
+                        direction = chance.normal(size=3)
+                        along = direction / np.linalg.norm(direction) @ forms[BOUNDED:]
+                        assert reach[j] >= worst(along, begin + j, maps, named, box, begun)
+                    ratios.append((bounds[j] / np.maximum(exact, 1e-9)).max())
+            deviations.end()
+        assert max(ratios) < 1.5, ratios
+        print(f"cell {part}: bounds are at most {max(ratios):.3f} times the worst there is")
+
+
+main()
