@@ -243,8 +243,10 @@ class Raising {
       flown_.legs.push_back(parts[legs[k].leg]);
       const bool ends = k + 1 == count || legs[k + 1].leg != legs[k].leg;
       flown_.hold.push_back(ends ? hold[legs[k].leg] : 0);
-      flown_.leg_band.push_back(
-          std::max(bands[k].high - std::min(from, to), std::max(from, to) - bands[k].low));
+      // A return goes up from wherever it begins: what is below the path is of the leg before.
+      const double band =
+          std::max(bands[k].high - std::min(from, to), std::max(from, to) - bands[k].low);
+      flown_.leg_band.push_back(legs[k].returns ? 0 : band);
       claim_.band = std::max(claim_.band, bands[k].high - bands[k].low);
     }
     flown_.legs.insert(flown_.legs.end(), parts.begin() + static_cast<long>(points), parts.end());
