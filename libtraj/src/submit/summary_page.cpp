@@ -185,10 +185,10 @@ class Page {
     if (!submission_.pairs) return;
     const FlightPairs& found = *submission_.pairs;
     if (found.refused == 0) {
-      item(
-          fmt::format("At every instant all {} of trajectories keep apart: {}. "
-                      "pair_certificates.jsonl holds the reasons.",
-                      geom::counted(found.compared, "pair"), spacing()));
+      item(fmt::format(
+          "At every instant the trajectories keep apart from each other ({} compared): {}. "
+          "pair_certificates.jsonl holds the reasons.",
+          geom::counted(found.compared, "pair"), spacing()));
       return;
     }
     std::string named;
