@@ -333,7 +333,7 @@ def check_pairs(folder, found, submission):
     flights = lines(folder, "flights.jsonl")
     require(said["compared"] == together["pairs"] == len(flights) * (len(flights) - 1) // 2, "pairs.jsonl",
             "not all pairs were compared")
-    require(not pairs, "pairs.jsonl", f"{len(pairs)} pairs of flights come too near, as the folder says itself")
+    require(not pairs, "pairs.jsonl", f"{len(pairs)} of {said['compared']} pairs of flights come too near, as the folder says itself")
     for key, sides in (("separation", asked.get("separation", asked.get("separation_box"))), ("downwash", asked.get("downwash"))):
         wanted = "vehicles" if key == "separation" else None
         if sides:
