@@ -150,6 +150,7 @@ class Folder {
                                 "claims.jsonl",  "summary.html",      "page.html",
                                 "flights.jsonl", "certificates.jsonl"};
     if (submission_.method.params) known.insert(cli::kParamsFile);
+    if (submission_.method.geoid_grid) known.insert(cli::kGeoidFile);
     if (submission_.pairs) {
       known.insert("pairs.jsonl");
       if (submission_.pairs->refused == 0) known.insert("pair_certificates.jsonl");
@@ -227,9 +228,10 @@ class Folder {
     const traj::SubmissionMethod& method = submission_.method;
     geom::Scenes scenes(*map_, {method.made_for.vehicle, method.made_for.margin},
                         geom::Differences::refused, geom::CollisionOptions().budget);
-    std::optional<std::string> params;
-    if (method.params) params = file(cli::kParamsFile);
-    const cli::SubmittedFlights open(scenes, method, params);
+    cli::MethodFiles files;
+    if (method.params) files.params = file(cli::kParamsFile);
+    if (method.geoid_grid) files.geoid_grid = file(cli::kGeoidFile);
+    const cli::SubmittedFlights open(scenes, method, files);
     std::vector<cli::SubmittedFlight> missions;
     for (const std::string& name : submission_.missions) {
       for (auto& mission : open.of_mission(file("missions/" + name), "missions/" + name)) {

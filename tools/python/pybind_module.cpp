@@ -154,4 +154,5 @@ PYBIND11_MODULE(_skyway, module) {
   binding::bind_home(module);
   binding::bind_missions(module);
   binding::bind_pictures(module);
+  binding::bind_zones(module);
 }

@@ -9,6 +9,7 @@
 #include "cli/tell.h"
 #include "flight_files.h"
 #include "geom/text/counted.h"
+#include "geom/zone/zone_boxes.h"
 #include "options.h"
 #include "people.h"
 #include "submission_folder.h"
@@ -41,6 +42,25 @@ std::vector<std::string> shown_files(const FlightFiles& flights, const Submissio
   return files;
 }
 
+// The files on which the reading of missions rests, added to the folder.
+cli::MethodFiles method_files(const Options& options, const geom::BoxMapSpec& spec,
+                              const traj::SubmissionMethod& method, SubmissionFolder& folder) {
+  cli::MethodFiles out;
+  if (method.params) {
+    out.params = text_of(options.params());
+    folder.add(cli::kParamsFile, *out.params);
+  }
+  if (method.geoid_grid) {
+    geom::BoxMapSpec placed = spec;
+    placed.frame.origin = method.origin;
+    const geom::SunArea area = geom::area_of(placed);
+    out.geoid_grid =
+        geom::gtx_over(*options.geoid_grid(), {area.south, area.north, area.west, area.east});
+    folder.add(cli::kGeoidFile, *out.geoid_grid);
+  }
+  return out;
+}
+
 // The folder says which flights come too near, and so does the exit code.
 cli::Exit told_of_pairs(const std::optional<traj::FlightPairs>& pairs) {
   if (!pairs || pairs->refused == 0) return cli::Exit::yes;
@@ -71,12 +91,9 @@ int main(int argc, char** argv) {
     SubmissionFolder folder(options.folder);
     folder.add("map.boxmap", text_of(options.map));
     folder.add("operation.json", operation_text);
-    std::optional<std::string> params;
-    if (submission.method.params) {
-      params = text_of(options.params());
-      folder.add(cli::kParamsFile, *params);
-    }
-    const cli::SubmittedFlights open(scenes, submission.method, params);
+    const cli::SubmittedFlights open(
+        scenes, submission.method,
+        method_files(options, scenes.map().spec(), submission.method, folder));
     FlightFiles flights(common, open, folder, submission.method.together);
     for (const std::string& file : options.flights) flights.add(file, scenes.map());
     flights.write();
@@ -107,7 +124,7 @@ int main(int argc, char** argv) {
     if (!options.no_page && !many) {
       folder.add("page.html",
                  submitting::view_page(common, shown_files(flights, folder), submission.method,
-                                       "Flights of " + operation.by.name));
+                                       open.placement(), "Flights of " + operation.by.name));
     }
     const std::size_t bytes = folder.bytes();
     const std::string hash = folder.commit(kMadeBy);

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "cli/option/geoid_option.h"
 #include "cli/option/numbers_option.h"
 #include "cli/option/option_check.h"
 #include "cli/option/placement_option.h"
@@ -33,6 +34,7 @@ void Options::add_to(CLI::App& app) {
   vehicle.add_memory_to(app);
   limits.add_to(app);
   cli::add_origin(app, placement_);
+  cli::add_geoid_grid(app, placement_);
   cli::add_ground(app, placement_);
   app.add_option("--volumes", asked_.volumes,
                  "how many volumes of airspace a flight has at most (default 8)")
@@ -119,6 +121,7 @@ traj::SubmissionMethod Options::method(const traj::Operation& by, const geom::Bo
   }
   out.origin = frame.origin;
   out.geoid = placement_.geoid;
+  if (placement_.geoid_grid) out.geoid_grid = placement_.geoid_name;
   out.ground = placement_.ground;
   out.limits = limits.limits();
   out.risk.contingency = *geom::value_of(traj::kContingencyWords, contingency_);

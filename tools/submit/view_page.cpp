@@ -7,11 +7,10 @@
 namespace submitting {
 
 std::string view_page(const cli::Common& common, const std::vector<std::string>& files,
-                      const traj::SubmissionMethod& method, const std::string& title) {
+                      const traj::SubmissionMethod& method, const traj::Placement& placement,
+                      const std::string& title) {
   cli::DroneFileOptions missions{.format = cli::kAuto};
-  missions.reading.placement.origin = method.origin;
-  missions.reading.placement.geoid = method.geoid;
-  missions.reading.placement.ground = method.ground;
+  missions.reading.placement = placement;
   missions.reading.rules.return_height = method.return_height;
   const cli::ContentKinds kinds{
       .archives = true, .drone_files = &missions, .expected = "a trajectory or a mission"};

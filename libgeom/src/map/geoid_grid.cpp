@@ -17,7 +17,8 @@ namespace geom {
 namespace {
 
 constexpr double kMostNodes = 3e8;
-constexpr double kErrorOfGtx = 1.2;  // m
+constexpr double kErrorOfGtx = 1.2;     // m
+constexpr float kNoHeight = -88.8888F;  // in a .gtx
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
 // The first bytes as a big-endian number.
@@ -29,6 +30,13 @@ T big_endian(const char* bytes) {
     bits = bits << 8 | static_cast<unsigned char>(bytes[i]);
   }
   return std::bit_cast<T>(bits);
+}
+
+template <class T>
+void append_big_endian(std::string& out, T value) {
+  using Bits = std::conditional_t<sizeof(T) == 8, std::uint64_t, std::uint32_t>;
+  const auto bits = std::bit_cast<Bits>(value);
+  for (std::size_t i = sizeof(T); i-- > 0;) out += static_cast<char>(bits >> (8 * i) & 0xff);
 }
 
 [[noreturn]] void refuse(std::string_view source, std::string found) {
@@ -64,7 +72,7 @@ GeoidGrid read_gtx(const std::string& bytes, std::string_view source) {
   grid.error = kErrorOfGtx;
   for (std::size_t i = kHead; i < bytes.size(); i += 4) {
     const auto height = big_endian<float>(bytes.data() + i);
-    grid.heights.push_back(std::abs(height) < 200 && height != -88.8888F ? height : kNone);
+    grid.heights.push_back(std::abs(height) < 200 && height != kNoHeight ? height : kNone);
   }
   return grid;
 }
@@ -118,17 +126,20 @@ GeoidGrid read_pgm(const std::string& bytes, std::string_view source) {
   return grid;
 }
 
-// The height at a place within the cell (i, j), whose columns may go around the Earth.
-double between(const GeoidGrid& grid, long i, long j, double u, double v) {
+// Of a node, whose column may go around the Earth; NaN beyond the grid.
+float node(const GeoidGrid& grid, long column, long row) {
   const auto columns = static_cast<long>(grid.columns);
   const bool around = grid.east_step * static_cast<double>(columns + 1) > 360;
-  const auto at = [&](long column, long row) -> double {
-    if (around) column = (column % columns + columns) % columns;
-    if (column < 0 || column >= columns || row < 0 || row >= static_cast<long>(grid.rows)) {
-      return kNone;
-    }
-    return grid.heights[static_cast<std::size_t>(row * columns + column)];
-  };
+  if (around) column = (column % columns + columns) % columns;
+  if (column < 0 || column >= columns || row < 0 || row >= static_cast<long>(grid.rows)) {
+    return kNone;
+  }
+  return grid.heights[static_cast<std::size_t>(row * columns + column)];
+}
+
+// The height at a place within the cell (i, j).
+double between(const GeoidGrid& grid, long i, long j, double u, double v) {
+  const auto at = [&](long column, long row) -> double { return node(grid, column, row); };
   return (1 - v) * ((1 - u) * at(i, j) + u * at(i + 1, j)) +
          v * ((1 - u) * at(i, j + 1) + u * at(i + 1, j + 1));
 }
@@ -166,6 +177,40 @@ std::optional<GeoidRange> GeoidGrid::over(const GeoidArea& area) const {
     }
   }
   if (out) *out = {out->least - error - 1e-4, out->most + error + 1e-4};
+  return out;
+}
+
+std::string gtx_over(const GeoidGrid& grid, const GeoidArea& area) {
+  constexpr const char* kSource = "the geoid grid";
+  if (!grid.over(area)) {
+    throw InputError(kSource, {.says = "it does not know the sea level all over the map"});
+  }
+  if (grid.error > kErrorOfGtx) {
+    throw InputError(kSource, {.expected = fmt::format("an error of at most {} m", kErrorOfGtx),
+                               .found = fmt::to_string(grid.error)});
+  }
+  const auto cell = [](double at, double from, double step) {
+    return static_cast<long>(std::floor((at - from) / step));
+  };
+  const double turn = 360 * std::floor((area.west - grid.west) / 360);
+  const long left = cell(area.west, grid.west + turn, grid.east_step) - 1;
+  const long right = cell(area.east, grid.west + turn, grid.east_step) + 2;
+  const long low = std::max(0L, cell(area.south, grid.south, grid.north_step) - 1);
+  const long high =
+      std::min(static_cast<long>(grid.rows) - 1, cell(area.north, grid.south, grid.north_step) + 2);
+  std::string out;
+  append_big_endian(out, grid.south + grid.north_step * static_cast<double>(low));
+  append_big_endian(out, grid.west + grid.east_step * static_cast<double>(left));
+  append_big_endian(out, grid.north_step);
+  append_big_endian(out, grid.east_step);
+  append_big_endian(out, static_cast<std::int32_t>(high - low + 1));
+  append_big_endian(out, static_cast<std::int32_t>(right - left + 1));
+  for (long row = low; row <= high; ++row) {
+    for (long column = left; column <= right; ++column) {
+      const float height = node(grid, column, row);
+      append_big_endian(out, std::isnan(height) ? kNoHeight : height);
+    }
+  }
   return out;
 }
 

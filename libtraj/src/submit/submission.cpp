@@ -87,7 +87,10 @@ JsonLine json_of(const SubmissionMethod& method) {
   if (method.navigation) {
     out.add("navigation", std::vector{method.navigation->across, method.navigation->vertical});
   }
-  out.add("drag", method.drag).add("geoid", method.geoid).add("ground", method.ground);
+  out.add("drag", method.drag)
+      .add("geoid", method.geoid)
+      .add("geoid_grid", method.geoid_grid)
+      .add("ground", method.ground);
   if (method.energy) out.add("energy", json_of(*method.energy));
   geom::add(out, method.limits);
   out.add("endurance", method.endurance).add("begins", method.begins).add("ends", method.ends);
@@ -222,6 +225,7 @@ SubmissionMethod read_method(const JsonFields& fields, std::string_view source) 
   }
   out.drag = number_or_nothing(fields, "drag", 0, 100);
   out.geoid = number(fields, "geoid", -1e3, 1e3);
+  if (fields.has("geoid_grid")) out.geoid_grid = fields.text("geoid_grid");
   out.ground = number_or_nothing(fields, "ground", -1e5, 1e5);
   if (fields.has("energy")) out.energy = read_energy(member(fields, "energy", source));
   out.endurance = number_or_nothing(fields, "endurance", 1e-9, 1e9);

@@ -185,10 +185,10 @@ class Page {
     if (!submission_.pairs) return;
     const FlightPairs& found = *submission_.pairs;
     if (found.refused == 0) {
-      item(
-          fmt::format("At every instant all {} of trajectories keep apart: {}. "
-                      "pair_certificates.jsonl holds the reasons.",
-                      geom::counted(found.compared, "pair"), spacing()));
+      item(fmt::format(
+          "At every instant the trajectories keep apart from each other ({} compared): {}. "
+          "pair_certificates.jsonl holds the reasons.",
+          geom::counted(found.compared, "pair"), spacing()));
       return;
     }
     std::string named;
@@ -257,8 +257,10 @@ class Page {
   std::string mission_reading() const {
     std::string out = fmt::format(
         "Missions are flown by an autopilot ({}) with the parameters of {}, an airframe "
-        "with a drag over its mass of {:g} 1/s, and sea level {:g} m above the ellipsoid",
-        method_.autopilot, parameters(), method_.drag.value_or(0), method_.geoid);
+        "with a drag over its mass of {:g} 1/s, and a sea level {}",
+        method_.autopilot, parameters(), method_.drag.value_or(0),
+        method_.geoid_grid ? "as geoid.gtx says (" + *method_.geoid_grid + ")"
+                           : fmt::format("{:g} m above the ellipsoid", method_.geoid));
     if (method_.ground) out += fmt::format(", from ground at {:g} m", *method_.ground);
     if (method_.navigation) {
       out += fmt::format(

@@ -50,6 +50,27 @@ TEST(GeoidGrid, BoundsTheSlopesOverAnAreaWithItsError) {
   EXPECT_LT(range->least, 15.5 - 1.2);
 }
 
+TEST(GeoidGrid, APartOfItSaysTheSameOverItsArea) {
+  const GeoidGrid grid = grid_of(gtx());
+  const GeoidArea area{40.5, 41.5, 5.25, 6.5};
+  const GeoidGrid part = grid_of(gtx_over(grid, area));
+  EXPECT_EQ(part.over(area)->least, grid.over(area)->least);
+  EXPECT_EQ(part.over(area)->most, grid.over(area)->most);
+  const GeoidArea place{41.25, 41.25, 6.125, 6.125};
+  EXPECT_NEAR(part.over(place)->least, grid.over(place)->least, 1e-6);
+  EXPECT_FALSE(part.over({40.5, 41.5, 5.25, 12}));
+  EXPECT_THROW(gtx_over(grid, {39, 41, 5.25, 6.5}), InputError);
+  GeoidGrid rough = grid;
+  rough.error = 2;
+  EXPECT_THROW(gtx_over(rough, area), InputError) << "a .gtx does not say its error";
+}
+
+TEST(GeoidGrid, APartKeepsItsHoles) {
+  const GeoidGrid grid = grid_of(gtx(-88.8888F));
+  const GeoidGrid part = grid_of(gtx_over(grid, {40.5, 41.5, 6.25, 6.5}));
+  EXPECT_FALSE(part.over({40.2, 40.8, 5.2, 5.8}));
+}
+
 TEST(GeoidGrid, KnowsNothingBeyondItsEdgesAndAtItsHoles) {
   const GeoidGrid grid = grid_of(gtx());
   EXPECT_FALSE(grid.over({39.9, 41, 5.25, 6.5}));

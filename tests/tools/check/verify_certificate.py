@@ -8,6 +8,7 @@ should be. docs/certificates.md says what is checked, and what is not.
 """
 
 import ast
+import functools
 import hashlib
 import json
 import math
@@ -298,6 +299,7 @@ def require_not_negative(polynomial, cover, what):
         require(all(c >= 0 for (c,) in piece), f"{what} is not shown on a piece")
 
 
+@functools.lru_cache
 def tangent_below(angle):
     """The fraction of docs/certificates.md that is at most tan(angle)."""
     term, sums = F(1), [F(0), F(0)]
@@ -324,16 +326,67 @@ def apart(points, low, high, plane):
     return max(sum(n * c for n, c in zip(normal, p)) for p in points) < nearest
 
 
+class GrownBoxes:
+    """The boxes of a map, larger by the vehicle: exact where they are asked for. In floats and micrometres larger they lie in
+    squares, to pass by quickly what is clearly far away."""
+
+    SIDE = 50.0  # m, of a square
+    MOST = 400  # squares of a box; those of more are near every region
+
+    def __init__(self, boxes, grow):
+        self.raw, self.grow, self.exact = boxes, grow, {}
+        reach = [float(g) + 2e-6 for g in grow]
+        self.rough = [tuple([c - r for c, r in zip(box, reach)] + [c + r for c, r in zip(box[3:], reach)]) for box in boxes]
+        self.squares, self.wide = {}, []
+        for index, box in enumerate(self.rough):
+            across, along = self.square(box[0], box[3]), self.square(box[1], box[4])
+            if len(across) * len(along) > self.MOST:
+                self.wide.append(index)
+                continue
+            for at in ((i, j) for i in across for j in along):
+                self.squares.setdefault(at, []).append(index)
+
+    def square(self, low, high):
+        return range(math.floor(low / self.SIDE), math.floor(high / self.SIDE) + 1)
+
+    def __len__(self):
+        return len(self.raw)
+
+    def __getitem__(self, index):
+        if index not in self.exact:
+            box = self.raw[index]
+            self.exact[index] = ([F(c) - g for c, g in zip(box[:3], self.grow)], [F(c) + g for c, g in zip(box[3:], self.grow)])
+        return self.exact[index]
+
+    def near(self, low, high):
+        """In order, those that may meet the box of these two corners, floats."""
+        across, along = self.square(low[0], high[0]), self.square(low[1], high[1])
+        if len(across) * len(along) > len(self.squares):
+            found = range(len(self.raw))
+        else:
+            found = set(self.wide).union(*(self.squares.get((i, j), ()) for i in across for j in along))
+        for index in sorted(found):
+            a, b, c, d, e, f = self.rough[index]
+            if not (high[0] < a or high[1] < b or high[2] < c or low[0] > d or low[1] > e or low[2] > f):
+                yield index
+
+
+def grown_boxes(box_map, grow):
+    """Of a map, made once for all records of the same vehicle."""
+    kept = getattr(box_map, "kept", None)
+    if kept is None or kept[0] is not box_map.boxes:
+        kept = box_map.kept = (box_map.boxes, {})
+    if tuple(grow) not in kept[1]:
+        kept[1][tuple(grow)] = GrownBoxes(box_map.boxes, grow)
+    return kept[1][tuple(grow)]
+
+
 class Verifier:
     """The proofs of one record, held against what is claimed of it."""
 
     def __init__(self, box_map, claim):
         grow = [F(h) + F(claim["margin"]) for h in claim["half"]]
-        self.boxes = [([F(c) - g for c, g in zip(box[:3], grow)], [F(c) + g for c, g in zip(box[3:], grow)])
-                      for box in box_map.boxes]
-        # The same in floats and a micrometre larger, to pass by quickly what is clearly far away.
-        self.rough = [([float(c) - 1e-6 for c in low], [float(c) + 1e-6 for c in high])
-                      for low, high in self.boxes]
+        self.boxes = grown_boxes(box_map, grow)
         self.low = [F(b) + g for b, g in zip(box_map.bounds[0], grow)]
         self.high = [F(b) - g for b, g in zip(box_map.bounds[1], grow)]
         self.limits = claim["limits"]
@@ -373,10 +426,7 @@ class Verifier:
         planes = self.planes(proof, parts, whens)
         for piece_number, piece in enumerate(parts):
             low, high = bounding_box(piece)
-            (x0, y0, z0), (x1, y1, z1) = map(float, low), map(float, high)
-            for index, ((a, b, c), (d, e, f)) in enumerate(self.rough):
-                if x1 < a or y1 < b or z1 < c or x0 > d or y0 > e or z0 > f:
-                    continue
+            for index in self.boxes.near([float(c) for c in low], [float(c) for c in high]):
                 box = self.boxes[index]
                 if any(h < l for h, l in zip(high, box[0])) or any(l > h for l, h in zip(low, box[1])):
                     continue

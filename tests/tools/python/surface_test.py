@@ -346,6 +346,19 @@ def test_trajectories_are_made():
     assert type(copy) is skyway.Path and copy.to_json() == path.to_json()
 
 
+def test_zones_are_read():
+    """The zones of the guide, and what is no file of zones."""
+    read = skyway.read_zones(source_dir / "data/samples/town-zones.json")
+    school, hospital, storks = read["zones"]
+    assert read["format"] == "ed-318" and read["issued"] == "2026-04-01T00:00:00Z" and not read["warnings"]
+    assert school["type"] == "PROHIBITED" and school["volumes"][0]["ring"][0] == (46.9796, 7.4506)
+    assert school["periods"][0]["schedule"][0] == {"days": [0, 1, 2, 3, 4], "begin": (21600.0, 21600.0), "end": (54000.0, 54000.0)}
+    assert hospital["volumes"][0]["radius"] == 60 and hospital["volumes"][0]["upper"] == (400 * 0.3048, "AGL")
+    assert hospital["message"] == "Call before you fly" and not hospital["periods"]
+    assert storks["volumes"][0]["upper"] == (700, "AMSL") and storks["periods"][0]["schedule"][0]["begin"] == "SR"
+    assert isinstance(raised(skyway.read_zones, source_dir / "data/samples/blocks.geojson"), skyway.InputError)
+
+
 def test_ways_home_hold(out):
     field = skyway.BoxMap([[40, 40, 0, 50, 50, 20]], bounds=[[0, 0, 0], [200, 200, 80.0]])
     scene = skyway.CollisionScene(field, "box:0.2,0.2,0.2", 1.0)
@@ -449,6 +462,7 @@ with tempfile.TemporaryDirectory() as folder:
     test_maps_are_made()
     test_trajectories_are_made()
     test_ways_home_hold(folder)
+    test_zones_are_read()
     test_objects_show_themselves(everything)
     test_mypy_agrees()
 print("the module says what it does")

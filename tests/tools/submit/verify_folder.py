@@ -321,7 +321,7 @@ def check_certificates(folder, found):
 
 
 def check_pairs(folder, found, submission):
-    """Pairs that come too near are the folder's own words against itself: they are counted alone."""
+    """A folder that says which pairs come too near is honest, and no yes."""
     asked, said = submission["method"].get("together"), submission.get("pairs")
     require((asked is None) == (said is None) == ("pairs.jsonl" not in found), "submission.json", "pairs are missing")
     if asked is None:
@@ -333,15 +333,15 @@ def check_pairs(folder, found, submission):
     flights = lines(folder, "flights.jsonl")
     require(said["compared"] == together["pairs"] == len(flights) * (len(flights) - 1) // 2, "pairs.jsonl",
             "not all pairs were compared")
-    if not pairs:
-        for key, sides in (("separation", asked.get("separation", asked.get("separation_box"))), ("downwash", asked.get("downwash"))):
-            wanted = "vehicles" if key == "separation" else None
-            if sides:
-                reach = [sides[0], *sides] if len(sides) == 2 else sides
-                wanted = {"shape": "cylinder" if len(sides) == 2 else "box", "reach": reach}
-            require(together.get(key) == wanted, "pairs.jsonl", f"its {key} is another")
-        require(together["parked"] == asked["parked"], "pairs.jsonl", "it is for other rests")
-        follow(folder, "verify_together.py", ["flights.jsonl", "pair_certificates.jsonl"])
+    require(not pairs, "pairs.jsonl", f"{len(pairs)} of {said['compared']} pairs of flights come too near, as the folder says itself")
+    for key, sides in (("separation", asked.get("separation", asked.get("separation_box"))), ("downwash", asked.get("downwash"))):
+        wanted = "vehicles" if key == "separation" else None
+        if sides:
+            reach = [sides[0], *sides] if len(sides) == 2 else sides
+            wanted = {"shape": "cylinder" if len(sides) == 2 else "box", "reach": reach}
+        require(together.get(key) == wanted, "pairs.jsonl", f"its {key} is another")
+    require(together["parked"] == asked["parked"], "pairs.jsonl", "it is for other rests")
+    follow(folder, "verify_together.py", ["flights.jsonl", "pair_certificates.jsonl"])
 
 
 def check(folder):

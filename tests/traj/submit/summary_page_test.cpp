@@ -23,7 +23,8 @@ constexpr const char* kNotCompared = "not compared with each other";
 TEST(SummaryPage, SaysWhetherFlightsWereCompared) {
   EXPECT_TRUE(says({}, "trajectory", kNotCompared));
   EXPECT_FALSE(says(compared(3, 0), "trajectory", kNotCompared));
-  EXPECT_TRUE(says(compared(3, 0), "trajectory", "all 3 pairs of trajectories keep apart: 32 m"));
+  EXPECT_TRUE(
+      says(compared(3, 0), "trajectory", "keep apart from each other (3 pairs compared): 32 m"));
   EXPECT_TRUE(says(compared(3, 0), "mission", "Missions have no times, so they were not compared"));
 }
 
@@ -32,7 +33,7 @@ TEST(SummaryPage, NamesFlightsThatComeTooNear) {
   EXPECT_TRUE(says(compared(3, 1), "trajectory", "a&lt;1&gt; and b"));
   EXPECT_FALSE(says(compared(3, 1), "trajectory", "pairs.jsonl has all"));
   EXPECT_TRUE(says(compared(3, 2), "trajectory", "pairs.jsonl has all"));
-  EXPECT_FALSE(says(compared(3, 1), "trajectory", "At every instant all"));
+  EXPECT_FALSE(says(compared(3, 1), "trajectory", "At every instant the trajectories keep apart"));
 }
 
 TEST(SummaryPage, SaysWhichSpacingWasAskedFor) {

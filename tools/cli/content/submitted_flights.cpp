@@ -1,5 +1,8 @@
 #include "submitted_flights.h"
 
+#include <memory>
+#include <sstream>
+
 #include "cli/answer/exit.h"
 #include "cli/option/autopilot_option.h"
 #include "geom/base/error.h"
@@ -29,8 +32,16 @@ traj::Flier flier_of(const traj::SubmissionMethod& method,
 }  // namespace
 
 SubmittedFlights::SubmittedFlights(geom::Scenes& scenes, const traj::SubmissionMethod& method,
-                                   const std::optional<std::string>& params)
-    : scenes_(scenes), method_(method), flier_(flier_of(method, params)) {}
+                                   const MethodFiles& files)
+    : scenes_(scenes), method_(method), flier_(flier_of(method, files.params)) {
+  placement_.origin = method.origin;
+  placement_.geoid = method.geoid;
+  placement_.ground = method.ground;
+  if (!files.geoid_grid) return;
+  std::istringstream in(*files.geoid_grid);
+  placement_.geoid_grid =
+      std::make_shared<const geom::GeoidGrid>(geom::read_geoid_grid(in, kGeoidFile));
+}
 
 SubmittedFlight SubmittedFlights::of_record(const std::string& text, const std::string& source,
                                             std::size_t line) const {
@@ -52,9 +63,7 @@ SubmittedFlight SubmittedFlights::of_record(const std::string& text, const std::
 std::vector<SubmittedFlight> SubmittedFlights::of_mission(const std::string& text,
                                                           const std::string& source) const {
   traj::MissionReading reading;
-  reading.placement.origin = method_.origin;
-  reading.placement.geoid = method_.geoid;
-  reading.placement.ground = method_.ground;
+  reading.placement = placement_;
   reading.rules.return_height = method_.return_height;
   reading.flier = flier_;
   const traj::MissionFormat& format = traj::recognised_mission_format(text);

@@ -9,6 +9,7 @@
 
 #include "geom/record/scenes.h"
 #include "traj/mission/formats/flier.h"
+#include "traj/mission/formats/placement.h"
 #include "traj/submit/submitted_flight.h"
 
 namespace cli {
@@ -19,13 +20,24 @@ struct SubmittedFlight {
   std::unique_ptr<traj::SubmittedFlight> flight;
 };
 
+// The files of a folder on which the reading of missions rests, by their texts, where the method
+// names them.
+struct MethodFiles {
+  std::optional<std::string> params = {};
+  std::optional<std::string> geoid_grid = {};
+};
+inline constexpr const char* kParamsFile = "autopilot.params";
+inline constexpr const char* kGeoidFile = "geoid.gtx";
+
 class SubmittedFlights {
  public:
-  // All must outlive this, and what it gives. `params`: the text of autopilot.params, where the
-  // method names it. Throws UsageError for an autopilot that nobody knows, and InputError for
-  // parameters as traj::set_autopilot().
+  // All must outlive this, and what it gives. Throws UsageError for an autopilot that nobody knows,
+  // and InputError for parameters as traj::set_autopilot() and for a grid that is none.
   SubmittedFlights(geom::Scenes& scenes, const traj::SubmissionMethod& method,
-                   const std::optional<std::string>& params);
+                   const MethodFiles& files);
+
+  // Where the coordinates of missions count from.
+  const traj::Placement& placement() const { return placement_; }
 
   // Of a line of flights.jsonl. Threads may call at once. Throws geom::InputError(source, line, …)
   // for a path and for what is no record.
@@ -38,10 +50,8 @@ class SubmittedFlights {
   geom::Scenes& scenes_;
   const traj::SubmissionMethod& method_;
   traj::Flier flier_;
+  traj::Placement placement_;
 };
-
-// The parameters of the autopilot in a folder.
-inline constexpr const char* kParamsFile = "autopilot.params";
 
 // The files of a flight in a folder, by its id.
 std::string volumes_file(const std::string& name);

@@ -91,6 +91,7 @@ void RunFiles::expect_output(const std::string& path, bool main) {
 }
 
 void RunFiles::add_input(const std::string& path) {
+  const std::lock_guard lock(mutex_);
   for (const std::string& key : keys_of_input(path)) {
     const auto output = outputs_by_key_.find(key);
     if (output != outputs_by_key_.end() && !(output->second.expected && output->second.main)) {
@@ -104,6 +105,7 @@ void RunFiles::add_input(const std::string& path) {
 }
 
 void RunFiles::add_output(const std::string& path, std::string_view updated) {
+  const std::lock_guard lock(mutex_);
   const Keys keys = keys_of_output(path);
   refuse_another(path, keys);
   for (const std::string& key : keys) {
@@ -117,6 +119,7 @@ void RunFiles::add_output(const std::string& path, std::string_view updated) {
 }
 
 void RunFiles::add(std::unique_ptr<Unpublished> output) {
+  const std::lock_guard lock(mutex_);
   unpublished_.push_back(std::move(output));
 }
 
@@ -127,6 +130,7 @@ void RunFiles::publish() {
 }
 
 void RunFiles::note_stdin(std::string_view head) {
+  const std::lock_guard lock(mutex_);
   for (Input& input : inputs_) {
     if (input.path == "stdin" && input.head.empty()) input.head = head;
   }

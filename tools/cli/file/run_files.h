@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -38,6 +39,7 @@ class RunFiles {
   // nor an input. `main`: -o, which may update an input; add_output() will tell.
   void expect_output(const std::string& path, bool main);
 
+  // Threads may call the add_ functions at once.
   // Throws UsageError where an output goes there. "-" is stdin.
   void add_input(const std::string& path);
   // Throws UsageError where another output goes there, or where it is an input other than
@@ -69,6 +71,7 @@ class RunFiles {
   };
   void refuse_another(const std::string& path, const Keys& keys) const;
 
+  std::mutex mutex_;  // guards what follows
   std::vector<Input> inputs_;
   std::map<std::string, std::string> inputs_by_key_;
   std::map<std::string, Output> outputs_by_key_;

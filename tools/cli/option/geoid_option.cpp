@@ -56,7 +56,9 @@ void add_geoid_grid(CLI::App& app, traj::Placement& placement) {
   app.add_option_function<std::string>(
          "--geoid-grid",
          [&placement](const std::string& word) {
-           placement.geoid_grid = std::make_shared<const geom::GeoidGrid>(geoid_grid_of(word).grid);
+           NamedGeoidGrid named = geoid_grid_of(word);
+           placement.geoid_name = std::filesystem::path(named.path).filename().string();
+           placement.geoid_grid = std::make_shared<const geom::GeoidGrid>(std::move(named.grid));
          },
          kGeoidGridHelp)
       ->excludes("--geoid");

@@ -12,6 +12,7 @@
 
 #include <iosfwd>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -50,5 +51,10 @@ struct GeoidGrid {
 // degree) or of GeographicLib (.pgm, which says its error). Throws InputError(source, …) for
 // anything else.
 GeoidGrid read_geoid_grid(std::istream& in, std::string_view source);
+
+// The bytes of a grid of PROJ that holds the part over an area, and a node or two around it. Throws
+// InputError("the geoid grid", …) where the grid does not know the area, or says an error beyond
+// that of such a file.
+std::string gtx_over(const GeoidGrid& grid, const GeoidArea& area);
 
 }  // namespace geom

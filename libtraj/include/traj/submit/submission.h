@@ -41,6 +41,7 @@ struct SubmissionMethod {
   std::optional<Uncertainty> navigation;  // how wrong it may be about its place
   std::optional<double> drag;             // 1/s; else the usual one
   double geoid = 0;                       // m: sea level above the ellipsoid, for missions
+  std::optional<std::string> geoid_grid;  // the operator's name of geoid.gtx, in place of this
   std::optional<double> ground;           // m in the map's z: where missions take off
   std::optional<Energy> energy;           // of the vehicle's profile
   std::optional<double> endurance;        // s, as the operator says

@@ -49,8 +49,8 @@ std::vector<std::string> notes_of(const FlownMavlink& read) {
   if (read.terrain) notes.push_back(terrain_note(*read.terrain));
   if (read.returns && read.terrain) {
     notes.emplace_back(
-        "the return to home is left out: over terrain nobody knows how high it begins; end the "
-        "mission with a waypoint above home and a landing (21)");
+        "the return to home is not known: over terrain it must begin at a waypoint with a hold, be "
+        "flown higher than it may begin (--return-height), and go home (no rally points)");
   } else if (read.returns) {
     notes.emplace_back(
         "the return to home is left out: its height is a setting of the vehicle, which "

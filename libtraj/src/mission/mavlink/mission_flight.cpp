@@ -359,7 +359,10 @@ class Flight {
                     [](const MissionItem& item) { return item.command == kLandingStart; });
     const bool home_alone = std::all_of(rules_.autopilots.begin(), rules_.autopilots.end(),
                                         [](const Autopilot& one) { return one.returns_home; });
-    flown_.returns = !rules_.return_height || lands_elsewhere || !home_alone || over_terrain_;
+    // Over terrain a return begins at one place, or nobody knows how high.
+    const bool begins_anywhere =
+        over_terrain_ && (!mission_.rally.empty() || path().empty() || !track_.rests());
+    flown_.returns = !rules_.return_height || lands_elsewhere || !home_alone || begins_anywhere;
     if (flown_.returns || path().empty()) return;
     const Vec3 end = path().back();
     const double ground = places_.above_home(*item_, 0);

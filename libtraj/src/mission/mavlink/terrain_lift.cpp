@@ -69,6 +69,7 @@ class Raising {
     }
     const Vec2 home = flown_.home->head<2>();
     difference_.emplace(rules_, home, claim_.spacing, claim_.spacing + reach, source);
+    find_return(rules.autopilots);
     claim_.error = rules_.error;
     claim_.model = rules_.ground->is_flat() ? "flat" : rules_.ground->spec().hash;
   }
@@ -79,6 +80,7 @@ class Raising {
     std::vector<std::vector<SweepPiece>> drifts;
     for (const Drift& drift : flown_.drift) drifts.push_back(cut(drift.sweeps));
     // Now all of the terrain that the vehicle may have been over is known.
+    settle_return();
     raise_path(legs);
     set_landing();
     flown_.sweeps = raised(sweeps);
@@ -102,7 +104,59 @@ class Raising {
     Vec3 a;
     Vec3 b;
     TerrainRange terrain;
+    bool returns = false;
   };
+  // A return counts from home: up from the last place over terrain, across, and down.
+  struct Return {
+    std::size_t begin = 0;  // the point of the path where it begins
+    double low = 0;         // its z, over flat ground
+    double top = 0;         // z at which it is flown
+    double turn = 0;        // m below that where it may go across already
+    double climb = 0;       // m that it climbs at least
+    TerrainRange terrain;   // where it begins
+  };
+
+  void find_return(std::span<const Autopilot> autopilots) {
+    const auto begins = std::find_if(
+        flown_.legs.begin(), flown_.legs.end(),
+        [](const FlightPart& part) { return part.manoeuvre == Manoeuvre::return_home; });
+    if (begins == flown_.legs.begin() || begins == flown_.legs.end()) return;
+    Return& out = return_.emplace();
+    out.begin = static_cast<std::size_t>(begins - flown_.legs.begin()) - 1;
+    out.low = flown_.path[out.begin].z();
+    out.top = flown_.path.back().z();
+    for (const Autopilot& one : autopilots) {
+      out.turn = std::max({out.turn, s_curve_length(one, one.climb), one.height_acceptance});
+      out.climb = std::max(out.climb, one.return_climb);
+    }
+    out.terrain = look(region_of(std::span(flown_.path).subspan(out.begin, 1)));
+  }
+
+  bool is_of_return(const FlightPart& part) const {
+    return return_ &&
+           (part.manoeuvre == Manoeuvre::return_home || part.manoeuvre == Manoeuvre::landing);
+  }
+
+  // Where it begins too high for the height at which it returns, nobody knows that height.
+  void settle_return() {
+    if (!return_) return;
+    return_->terrain = with_lag(return_->terrain);
+    if (return_->low + return_->terrain.high + return_->climb > return_->top) flown_.returns = true;
+  }
+
+  // Points at the height where a return begins are as high or low as the terrain there may be.
+  Hull raised_return(const Hull& hull) const {
+    Hull out = hull;
+    for (const Vec3& p : hull) {
+      if (std::abs(p.z() - return_->low) < 1e-6) {
+        out.push_back(p + Vec3(0, 0, return_->terrain.low));
+        out.push_back(p + Vec3(0, 0, return_->terrain.high));
+      } else if (p.z() > return_->top - return_->turn && p.z() < return_->top) {
+        out.emplace_back(p.x(), p.y(), return_->top - return_->turn);
+      }
+    }
+    return out;
+  }
 
   static Rectangle region_of(std::span<const Vec3> hull) {
     const geom::Aabb box = *geom::bounds(hull);
@@ -120,6 +174,10 @@ class Raising {
     const geom::Polyline& path = flown_.path;
     look(region_of(std::span(path).first(1)));
     for (std::size_t i = 1; i < path.size(); ++i) {
+      if (return_ && i > return_->begin) {
+        out.push_back({i, path[i - 1], path[i], {}, true});
+        continue;
+      }
       const Vec3 way = path[i] - path[i - 1];
       const double pieces = std::max(1.0, std::ceil(way.head<2>().norm() / kPiece));
       for (double k = 0; k < pieces; ++k) {
@@ -136,6 +194,10 @@ class Raising {
   std::vector<SweepPiece> cut(const std::vector<Sweep>& sweeps) {
     std::vector<SweepPiece> out;
     for (const Sweep& sweep : sweeps) {
+      if (is_of_return(sweep.part)) {
+        out.push_back({&sweep, sweep.hull, {}});
+        continue;
+      }
       for (Hull& hull : split_hull(sweep.hull, kPiece)) {
         const Rectangle region = region_of(hull);
         const bool at_home =
@@ -156,11 +218,16 @@ class Raising {
   void raise_path(const std::vector<LegPiece>& legs) {
     const std::size_t count = legs.size();
     std::vector<TerrainRange> bands;
-    for (const LegPiece& piece : legs) bands.push_back(with_lag(piece.terrain));
+    for (const LegPiece& piece : legs) {
+      bands.push_back(piece.returns ? TerrainRange{} : with_lag(piece.terrain));
+    }
     const auto middle = [&](std::size_t vertex) {  // before the piece of that number
       if (vertex == 0 && (flown_.takes_off || count == 0)) return 0.0;
-      const TerrainRange& one = bands[std::min(vertex, count - 1)];
-      const TerrainRange both = vertex == 0 ? one : one.with(bands[vertex - 1]);
+      const bool first = vertex == 0;
+      if (!first && legs[vertex - 1].returns) return 0.0;
+      const bool last = vertex == count || legs[vertex].returns;
+      const TerrainRange& one = bands[last ? vertex - 1 : vertex];
+      const TerrainRange both = first ? one : one.with(bands[vertex - 1]);
       return (both.low + both.high) / 2;
     };
     const std::vector<FlightPart> parts = std::move(flown_.legs);
@@ -176,8 +243,10 @@ class Raising {
       flown_.legs.push_back(parts[legs[k].leg]);
       const bool ends = k + 1 == count || legs[k + 1].leg != legs[k].leg;
       flown_.hold.push_back(ends ? hold[legs[k].leg] : 0);
-      flown_.leg_band.push_back(
-          std::max(bands[k].high - std::min(from, to), std::max(from, to) - bands[k].low));
+      // A return goes up from wherever it begins: what is below the path is of the leg before.
+      const double band =
+          std::max(bands[k].high - std::min(from, to), std::max(from, to) - bands[k].low);
+      flown_.leg_band.push_back(legs[k].returns ? 0 : band);
       claim_.band = std::max(claim_.band, bands[k].high - bands[k].low);
     }
     flown_.legs.insert(flown_.legs.end(), parts.begin() + static_cast<long>(points), parts.end());
@@ -204,6 +273,10 @@ class Raising {
   std::vector<Sweep> raised(const std::vector<SweepPiece>& pieces) const {
     std::vector<Sweep> out;
     for (const SweepPiece& piece : pieces) {
+      if (is_of_return(piece.of->part)) {
+        out.push_back({raised_return(piece.hull), piece.of->part, piece.of->stands_on});
+        continue;
+      }
       const bool lands = piece.of->stands_on && piece.of->part.manoeuvre == Manoeuvre::landing;
       const TerrainRange by = piece.at_home ? piece.terrain : with_lag(piece.terrain);
       Hull hull = lands ? sunk(piece.hull, by) : raised(piece.hull, by);
@@ -245,6 +318,7 @@ class Raising {
   std::optional<TerrainDifference> difference_;
   TerrainClaim claim_;
   TerrainRange all_;  // of all the terrain on the way, home's included
+  std::optional<Return> return_;
   double landing_ = 0;
   double flat_landing_ = 0;  // before it was raised
 };

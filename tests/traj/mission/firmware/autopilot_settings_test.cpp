@@ -105,6 +105,21 @@ TEST(AutopilotSettings, SayHowHighAFenceLetsAReturnClimb) {
   EXPECT_FALSE(set(height + "FENCE_AUTOENABLE,1\n").autopilot.returns_home);
 }
 
+TEST(AutopilotSettings, SayHowTerrainIsFollowed) {
+  const std::string any = "RTL_ALT,1500\n";
+  const Autopilot usual = set(any).autopilot;
+  EXPECT_EQ(usual.terrain_spacing, 100);
+  EXPECT_EQ(usual.terrain_lag, 10);
+  EXPECT_TRUE(usual.follows_terrain);
+  EXPECT_EQ(set(any + "TERRAIN_SPACING,30\n").autopilot.terrain_spacing, 30);
+  EXPECT_EQ(set(any + "WPNAV_TER_MARGIN,5\n").autopilot.terrain_lag, 5);
+  EXPECT_FALSE(set(any + "TERRAIN_ENABLE,0\n").autopilot.follows_terrain);
+  EXPECT_FALSE(set(any + "RNGFND1_TYPE,0\nRNGFND2_TYPE,8\n").autopilot.follows_terrain)
+      << "a rangefinder goes before its terrain";
+  EXPECT_TRUE(set(any + "RNGFND2_TYPE,8\nWPNAV_RFND_USE,0\n").autopilot.follows_terrain);
+  EXPECT_NE(refusal(any + "TERRAIN_SPACING,0\n"), "");
+}
+
 TEST(AutopilotSettings, RefuseOtherVehiclesAndVersions) {
   EXPECT_EQ(refusal("WPNAV_RADIUS,200\nCRUISE_SPEED,2\n"),
             "p: expected parameters of a multirotor, found CRUISE_SPEED, which another class of "

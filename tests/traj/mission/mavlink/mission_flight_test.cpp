@@ -361,12 +361,12 @@ TEST(FlownMission, TakesTheSeaLevelAtEachPlace) {
   MissionFrame frame = kFrame;
   frame.geoid_grid =
       std::make_shared<const geom::GeoidGrid>(geom::GeoidGrid{.south = 46,
-                                                              .west = 8,
+                                                              .west = 7.998,
                                                               .north_step = 2,
                                                               .east_step = 0.002,
-                                                              .columns = 2,
+                                                              .columns = 3,
                                                               .rows = 2,
-                                                              .heights = {2, 1, 2, 1},
+                                                              .heights = {3, 2, 1, 3, 2, 1},
                                                               .error = 0.25});
   Maker maker;
   maker.add(kWaypoint, {75.9, 0, 30});

@@ -253,11 +253,48 @@ TEST(RaisedOverTerrain, IsArdupilotsAlone) {
             "");
 }
 
-TEST(RaisedOverTerrain, ItsReturnIsNotKnown) {
-  const geom::GroundModel flat = geom::GroundModel::flat(0);
+// The last waypoint is a rest, and a return follows.
+Mission returning() {
   Mission mission = mission_over(kLoop);
+  mission.items.back().param[0] = 5;
   mission.items.push_back({.frame = kMissionFrame, .command = kReturn, .number = 9});
-  EXPECT_TRUE(fly(mission, flat, 0, {.return_height = 90}).returns);
+  return mission;
+}
+
+TEST(RaisedOverTerrain, ReturnsAboveAllHeightsAtWhichItMayBegin) {
+  const Hills hills(15);
+  const geom::GroundModel model = hills.model();
+  const FlownMavlink flown = fly(returning(), model, 3, {.return_height = 160});
+  EXPECT_FALSE(flown.returns);
+  const double top = kHome + 160;
+  EXPECT_NEAR(flown.path.back().z(), top, 1e-9);
+  EXPECT_NEAR(*flown.ends.landing_on, kHome, 1e-9);
+  EXPECT_EQ(flown.leg_band.back(), 0);
+  const Vec3 end = kLoop.back();
+  for (const double shift : {0.0, 50.0}) {
+    const Posts posts{hills, 100, 3, shift, 15};
+    const double begins = kHome + end.z() + posts.at(end.x(), end.y()) - posts.at(0, 0);
+    for (double z = begins; z <= top; z += 4) EXPECT_TRUE(in_drift(flown, {end.x(), end.y(), z}));
+  }
+  for (double share = 0; share <= 1; share += 0.05) {
+    EXPECT_TRUE(in_drift(flown, {(1 - share) * end.x(), (1 - share) * end.y(), top}));
+  }
+  for (double z = kHome + 1; z <= top; z += 5) EXPECT_TRUE(in_drift(flown, {0, 0, z}));
+}
+
+TEST(RaisedOverTerrain, ItsReturnIsNotKnownWhereThatMayBeginHigher) {
+  const geom::GroundModel flat = geom::GroundModel::flat(0);
+  EXPECT_FALSE(fly(returning(), flat, 0, {.return_height = 48}).returns)
+      << "45 m, and 2 m of posts";
+  EXPECT_TRUE(fly(returning(), flat, 0, {.return_height = 46}).returns);
+  EXPECT_TRUE(fly(returning(), flat, 3, {.return_height = 48}).returns);
+  EXPECT_TRUE(fly(returning(), flat, 0).returns) << "nobody says the height";
+  Mission passed = returning();
+  passed.items[passed.items.size() - 2].param[0] = 0;
+  EXPECT_TRUE(fly(passed, flat, 0, {.return_height = 90}).returns) << "it may begin anywhere";
+  Mission rally = returning();
+  rally.rally = {{47.0001, 8, 20}};
+  EXPECT_TRUE(fly(rally, flat, 0, {.return_height = 90}).returns);
 }
 
 TEST(RaisedOverTerrain, RefusesHolesAndTheEndOfTheModel) {

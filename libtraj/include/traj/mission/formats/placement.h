@@ -23,6 +23,7 @@ struct Placement {
   double geoid = 0;                            // m: sea level above the ellipsoid there
   // The same place by place; copies share it. Goes before `geoid`.
   std::shared_ptr<const geom::GeoidGrid> geoid_grid = {};
+  std::string geoid_name = {};    // its file's, for records
   std::optional<double> ground;   // m in the map's z, at the take-off
   double takeoff_height = 1;      // m above the ground to which a Tello rises
   std::optional<double> heading;  // of a Tello, degrees clockwise from north
