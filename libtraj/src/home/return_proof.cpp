@@ -93,8 +93,9 @@ class Prover {
     if (const auto all_along = met_all_along(stage, near, known)) {
       return add_gap(stage, *all_along);
     }
-    prove(parts->first, near, {known.early, {}});
-    prove(parts->second, near, {{}, known.late});
+    const bool in_order = stage.curve.has_value();  // a hull's ends are those along its longest way
+    prove(parts->first, near, in_order ? Ends{known.early, {}} : Ends{});
+    prove(parts->second, near, in_order ? Ends{{}, known.late} : Ends{});
   }
 
   std::vector<ReturnGap> gaps;
