@@ -7,13 +7,11 @@
 //   traj::FlightOptions options{.quadrotor = *traj::quadrotor_of(quad->airframe)};
 //   options.gains = *quad->airframe.gains;
 //   options.law = traj::ControlLaw::geometric;
-//   const traj::Disturbances disturbances{.gust_most = 0.5};
-//   const traj::ProvedTube tube =
-//       traj::with_room(traj::prove_tube(traj::ReferenceTrack(trajectory), options, disturbances,
-//       {}));
+//   const traj::Disturbances gusty{.gust_most = 0.5};
+//   const traj::ReferenceTrack track(trajectory);
+//   const auto tube = traj::with_room(prove_tube(track, options, gusty, {}, {.by_spans = true}));
 //   if (!tube.trouble) {
-//     std::cout << traj::tube_certificate_line("q1", geom::Axes::enu, {options, disturbances},
-//     tube);
+//     std::cout << traj::tube_certificate_line("q1", geom::Axes::enu, {options, gusty}, tube);
 //   }
 
 #include <string>
