@@ -21,8 +21,8 @@
 
 namespace traj {
 
-// The tube with all bounds and radii made larger by a few per cent. A checker that sums otherwise
-// finds slightly larger bounds, and these have room for them.
+// The tube with radii and tilt made larger by 1.5 %, and bounds rounded up to four digits. A
+// checker that sums otherwise finds slightly larger radii, and these have room for them.
 ProvedTube with_room(ProvedTube tube);
 
 // What a tube was proved for.
@@ -32,7 +32,7 @@ struct TubeClaim {
 };
 
 // One JSON object, "type":"tube_certificate", with a newline: docs/formats.md. `axes`: those of the
-// trajectory's record. Precondition: the tube has a proof.
+// trajectory's record. Precondition: the tube has a proof, by spans.
 std::string tube_certificate_line(const std::string& id, geom::Axes axes, const TubeClaim& claim,
                                   const ProvedTube& tube);
 
