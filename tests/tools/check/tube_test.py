@@ -1,6 +1,6 @@
 """tube_test.py BIN_DIR [MUTANTS [SEED]]: proofs of tubes hold for the independent verifier, and not once tampered with.
 
-Of so many changed certificates (60 without a number) each is refused, or what it claims is still true: the claim is the same or
+Of so many changed certificates (40 without a number) each is refused, or what it claims is still true: the claim is the same or
 weaker, or `skyway-fly` proves it of the changed vehicle, trajectory and disturbances.
 """
 
@@ -26,7 +26,7 @@ from verify_tube import Cell, Claim, track_of, verify
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "support"))
 import schemas  # noqa: E402
 
-MUTANTS = int(sys.argv[2]) if len(sys.argv) > 2 else 60
+MUTANTS = int(sys.argv[2]) if len(sys.argv) > 2 else 40
 SEED = int(sys.argv[3]) if len(sys.argv) > 3 else 1
 ALONG = (0, 0, 0, 0, 1, 1, 1, 1)
 

@@ -268,15 +268,16 @@ TEST(ProveTube, KnowsThatMotorsMustHoldTheWeightAtRest) {
 // The first period of the attitude loop may begin before the trajectory and end in it.
 TEST(ProveTube, HoldsTheFirstStepsWhereAPeriodBeginsBeforeThem) {
   State a, b;
-  a.velocity = {0.5, 0, 0};
-  b.position = {0.01, 0, 0};
-  const ReferenceTrack track({{hermite(a, b, 0.02)}});
+  a.velocity = b.velocity = {0.004, 0, 0};
+  b.position = {8e-6, 0, 0};
+  const ReferenceTrack track({{hermite(a, b, 0.002)}});
   FlightOptions options = flight_of("quad2kg");
   options.hover = 0.001;
   options.settle = 0;
   const ProvedTube tube = prove_tube(track, options, {}, {});
   ASSERT_FALSE(tube.trouble);
   const Flight flight = simulate(track, options, {.path = true});
+  EXPECT_EQ(flight.path.size(), 3u);
   std::size_t cursor = 0;
   for (std::size_t n = 0; n < flight.path.size(); ++n) {
     const Vec3 wanted = track.at(static_cast<double>(n) * kStep, cursor).position;

@@ -69,9 +69,12 @@ TEST(TubeCertificate, HasRoomForACheckerThatSumsOtherwise) {
 
 // Cells that fill what is asked for: a certificate without one of them would be refused.
 TEST(TubeCertificate, NamesThePartsOfWindsAndMasses) {
-  const ReferenceTrack track(testing::line({0.1, 0, 0}, 1));
+  const ReferenceTrack track(testing::line({0, 0, 0}, 0.1));
+  FlightOptions options = quad();
+  options.hover = 0.1;
+  options.settle = 0;
   const Disturbances wide{.wind_spread = 2.5, .gust_most = 0.05};
-  const ProvedTube tube = prove_tube(track, quad(), wide, {}, {.by_spans = true});
+  const ProvedTube tube = prove_tube(track, options, wide, {}, {.by_spans = true});
   ASSERT_FALSE(tube.trouble);
   ASSERT_GT(tube.cells, 1u);
   double eighths = 0;

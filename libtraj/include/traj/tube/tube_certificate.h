@@ -7,13 +7,11 @@
 //   traj::FlightOptions options{.quadrotor = *traj::quadrotor_of(quad->airframe)};
 //   options.gains = *quad->airframe.gains;
 //   options.law = traj::ControlLaw::geometric;
-//   const traj::Disturbances disturbances{.gust_most = 0.5};
-//   const traj::ProvedTube tube =
-//       traj::with_room(traj::prove_tube(traj::ReferenceTrack(trajectory), options, disturbances,
-//       {}));
+//   const traj::Disturbances gusty{.gust_most = 0.5};
+//   const traj::ReferenceTrack track(trajectory);
+//   const auto tube = traj::with_room(prove_tube(track, options, gusty, {}, {.by_spans = true}));
 //   if (!tube.trouble) {
-//     std::cout << traj::tube_certificate_line("q1", geom::Axes::enu, {options, disturbances},
-//     tube);
+//     std::cout << traj::tube_certificate_line("q1", geom::Axes::enu, {options, gusty}, tube);
 //   }
 
 #include <string>
@@ -23,8 +21,8 @@
 
 namespace traj {
 
-// The tube with all bounds and radii made larger by a few per cent. A checker that sums otherwise
-// finds slightly larger bounds, and these have room for them.
+// The tube with radii and tilt made larger by 1.5 %, and bounds rounded up to four digits. A
+// checker that sums otherwise finds slightly larger radii, and these have room for them.
 ProvedTube with_room(ProvedTube tube);
 
 // What a tube was proved for.
@@ -34,8 +32,8 @@ struct TubeConditions {
 };
 
 // One JSON object, "type":"tube_certificate", with a newline: docs/formats.md. `axes`: those of the
-// trajectory's record. Preconditions: the tube has a proof, and of the
-// vehicle the mass alone has a range.
+// trajectory's record. Preconditions: the tube has a proof, by spans, and of the vehicle the mass
+// alone has a range.
 std::string tube_certificate_line(const std::string& id, geom::Axes axes,
                                   const TubeConditions& proved_for, const ProvedTube& tube);
 
