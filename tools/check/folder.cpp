@@ -17,8 +17,8 @@
 #include "cli/file/files.h"
 #include "cli/option/common.h"
 #include "cli/tell.h"
+#include "folder_files.h"
 #include "geom/base/error.h"
-#include "geom/base/hashed_stream.h"
 #include "geom/base/in_order.h"
 #include "geom/text/counted.h"
 #include "geom/text/json_line.h"
@@ -43,41 +43,6 @@ constexpr std::size_t kFolderFlights = 64;  // flights at a time
 struct Refusal {
   std::string file;
   std::string why;
-};
-
-std::string text_of(const fs::path& path) { return cli::InputFile(path.string()).read_all(); }
-
-traj::ListedFile found_file(const std::string& name, const fs::path& path) {
-  cli::InputFile file(path.string());
-  geom::HashedStream stream(file.stream());
-  const std::string hash = stream.hash();
-  return {name, fs::file_size(path), hash.substr(hash.find(':') + 1)};
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> out;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    out.push_back(text.substr(at, end - at));
-    at = end + 1;
-  }
-  return out;
-}
-
-// The lines of a file, one after the other; none where there is no file.
-class Lines {
- public:
-  Lines() = default;
-  explicit Lines(const fs::path& path) : file_(std::in_place, path.string()) {}
-
-  std::optional<std::string> next() {
-    std::string line;
-    if (!file_ || !std::getline(file_->stream(), line)) return std::nullopt;
-    return line;
-  }
-
- private:
-  std::optional<cli::InputFile> file_;
 };
 
 class Folder {
@@ -246,8 +211,8 @@ class Folder {
   // The flights in their order: records, each with its certificate, and then missions.
   std::optional<Refusal> first_refusal(const cli::SubmittedFlights& open,
                                        std::vector<cli::SubmittedFlight>& missions) {
-    Lines records = lines_in("flights.jsonl");
-    Lines certificates = lines_in("certificates.jsonl");
+    FileLines records = lines_in("flights.jsonl");
+    FileLines certificates = lines_in("certificates.jsonl");
     std::optional<Refusal> first;
     std::atomic<bool> refused = false;
     std::size_t count = 0;
@@ -287,8 +252,8 @@ class Folder {
     return first;
   }
 
-  Lines lines_in(const std::string& name) const {
-    return has(name) ? Lines(path_ / name) : Lines();
+  FileLines lines_in(const std::string& name) const {
+    return has(name) ? FileLines(path_ / name) : FileLines();
   }
 
   Refusal too_many_flights() const {

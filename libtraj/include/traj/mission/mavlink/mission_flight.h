@@ -87,7 +87,7 @@ inline constexpr double kUnsaidSpeed = 10;  // m/s
 // - Heights above terrain are ArduPilot's alone, since PX4 loads no mission with them. Without
 //   `ground` the flight is a band of heights over the terrain of `terrain`: home's height, the
 //   heights of the items, and how much higher the autopilot may take the terrain to be than at
-//   home. All waypoints must count from the terrain, and a return is known where the last of them is
+//   home. All waypoints must count from the terrain. A return is known where the last of them is
 //   a rest and it is flown above all heights at which it may begin.
 //
 // Throws geom::InputError(source, line, …) for all others (changes of mode, unknown ones), for
