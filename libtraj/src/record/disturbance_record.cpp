@@ -33,10 +33,15 @@ std::string in_words(const Disturbances& d) {
                                 ? fmt::format("gusts towards at most {:g} m/s with a lag of {:g} s",
                                               d.gust_most, d.gust_lag)
                                 : "no gusts";
-  return fmt::format(
-      "a mean wind within {:g} m/s of [{:g}, {:g}, {:g}] m/s (east, north, up), {}, a mass within "
-      "{:g} % of what is believed",
-      d.wind_spread, d.wind.x(), d.wind.y(), d.wind.z(), gusts, 100 * d.mass_error);
+  std::string out =
+      fmt::format("a mean wind within {:g} m/s of [{:g}, {:g}, {:g}] m/s (east, north, up), {}",
+                  d.wind_spread, d.wind.x(), d.wind.y(), d.wind.z(), gusts);
+  for (const DisturbanceRange& range : kDisturbanceRanges) {
+    if (range.share_of.empty()) continue;
+    out += fmt::format(", {} within {:g} % of what is believed", range.share_of,
+                       100 * (d.*range.value));
+  }
+  return out;
 }
 
 }  // namespace traj

@@ -12,6 +12,7 @@
 #include "traj/curve/to_enu.h"
 #include "traj/curve/trajectory_hash.h"
 #include "traj/flight/tilted_radius.h"
+#include "traj/tube/tune_tube.h"
 
 namespace traj {
 namespace {
@@ -232,7 +233,7 @@ void SimulatedFlights::fly(const geom::Execution& run,
   }
 }
 
-TuneResult SimulatedFlights::tune(const FlightCost& cost, const geom::Execution& run) const {
+std::vector<ReferenceTrack> SimulatedFlights::solved_tracks() const {
   std::vector<ReferenceTrack> tracks;
   for (const Entry& entry : entries_) {
     if (entry.record.status != TrajectoryStatus::solved) continue;
@@ -242,7 +243,15 @@ TuneResult SimulatedFlights::tune(const FlightCost& cost, const geom::Execution&
     throw geom::InputError(source_,
                            {.expected = "at least one solved trajectory", .found = "none"});
   }
-  return traj::tune(tracks, options_.flight, cost, {run.threads, {}});
+  return tracks;
+}
+
+TuneResult SimulatedFlights::tune(const FlightCost& cost, const geom::Execution& run) const {
+  return traj::tune(solved_tracks(), options_.flight, cost, {run.threads, {}});
+}
+
+TuneResult SimulatedFlights::tune_tube(const geom::Execution& run) const {
+  return traj::tune_tube(solved_tracks(), options_.flight, *options_.disturbances, run);
 }
 
 }  // namespace traj
