@@ -13,6 +13,7 @@
 #include "people.h"
 #include "submission_folder.h"
 #include "traj/submit/summary_page.h"
+#include "tubes.h"
 #include "view_page.h"
 
 namespace {
@@ -60,7 +61,8 @@ int main(int argc, char** argv) {
     SubmissionFolder folder(options.folder);
     folder.add("map.boxmap", text_of(options.map));
     folder.add("operation.json", operation_text);
-    const cli::SubmittedFlights open(scenes, submission.method);
+    const auto tubes = submitting::take_tubes(options.tube, submission.method, folder);
+    const cli::SubmittedFlights open(scenes, submission.method, tubes ? &*tubes : nullptr);
     FlightFiles flights(common, open, folder);
     for (const std::string& file : options.flights) flights.add(file, scenes.map());
     flights.write();

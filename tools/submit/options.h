@@ -22,6 +22,7 @@ struct Options {
   std::string folder;
   std::string operation;
   std::string population;  // empty: not asked for
+  std::string tube;        // likewise
   bool no_page = false;
   cli::VehicleOptions vehicle;
   cli::LimitOptions limits;

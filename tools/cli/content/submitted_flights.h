@@ -21,7 +21,9 @@ struct SubmittedFlight {
 class SubmittedFlights {
  public:
   // All must outlive this, and what it gives. Throws UsageError for an autopilot that nobody knows.
-  SubmittedFlights(geom::Scenes& scenes, const traj::SubmissionMethod& method);
+  // `tubes` (null: none) are those of the method.
+  SubmittedFlights(geom::Scenes& scenes, const traj::SubmissionMethod& method,
+                   const traj::TubeReports* tubes = nullptr);
 
   // Of a line of flights.jsonl. Threads may call at once. Throws geom::InputError(source, line, …)
   // for a path and for what is no record.
@@ -34,7 +36,12 @@ class SubmittedFlights {
   geom::Scenes& scenes_;
   const traj::SubmissionMethod& method_;
   traj::Flier flier_;
+  const traj::TubeReports* tubes_;
+  mutable geom::Scenes bare_;  // without a margin, for tubes
 };
+
+// The file of a folder with the proved tubes of its trajectories.
+inline constexpr const char* kTubesFile = "tubes.jsonl";
 
 // The files of a flight in a folder, by its id.
 std::string volumes_file(const std::string& name);

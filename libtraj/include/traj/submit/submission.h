@@ -20,9 +20,19 @@
 #include "traj/flight/energy.h"
 #include "traj/mission/formats/flier.h"
 #include "traj/proof/limits.h"
+#include "traj/record/tube_record.h"
 #include "traj/submit/risk_rules.h"
 
 namespace traj {
+
+// A file that a claim rests on, by the name that it has outside of the folder.
+struct SourceFile {
+  std::string name;
+  std::string sha256;
+  std::string date = {};  // as the file says; may be empty
+
+  friend bool operator==(const SourceFile&, const SourceFile&) = default;
+};
 
 // What was asked for, the same for all flights. Whoever checks the folder derives it all again.
 struct SubmissionMethod {
@@ -43,15 +53,7 @@ struct SubmissionMethod {
   std::optional<double> endurance;        // s, as the operator says
   std::optional<std::string> begins;      // of missions, which have no times: the first instant
   std::optional<std::string> ends;        // and the last
-};
-
-// A file that a claim rests on and that is not in the folder.
-struct SourceFile {
-  std::string name;
-  std::string sha256;
-  std::string date = {};  // as the file says; may be empty
-
-  friend bool operator==(const SourceFile&, const SourceFile&) = default;
+  std::optional<SourceFile> tubes;  // whose proved tubes take the place of the margin in volumes
 };
 
 // The files of zones of airspace that a map's history names, by name and hash.
@@ -83,6 +85,7 @@ struct FlightClaims {
   std::string ends;
   double duration = 0;                   // s; of missions an estimate
   std::optional<double> clearance = {};  // m: the least distance to an obstacle
+  std::optional<TubeClaim> tube = {};    // in place of the margin in its volumes
   double speed = 0;                      // m/s: the limit that the flight keeps
   double top = 0;                        // m above the floor: the highest of its geography
   ContingencySize contingency = {};
