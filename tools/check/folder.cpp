@@ -121,6 +121,7 @@ class Folder {
       if (submission_.pairs->refused == 0) known.insert("pair_certificates.jsonl");
     }
     if (submission_.population) known.insert("population.csv");
+    if (submission_.method.tubes) known.insert(cli::kTubesFile);
     for (const std::string& mission : submission_.missions) known.insert("missions/" + mission);
     for (const traj::FlightClaims& one : claims_) {
       known.insert(one.volumes);
@@ -164,6 +165,7 @@ class Folder {
     if (!traj::autopilots_of(method.autopilot)) {
       return Refusal{"submission.json", "it names an autopilot that nobody knows"};
     }
+    if (auto why = why_tubes_differ()) return why;
     if (submission_.flights != claims_.size()) {
       return Refusal{"submission.json", fmt::format("it names {} flights, and claims.jsonl {}",
                                                     submission_.flights, claims_.size())};
@@ -176,6 +178,27 @@ class Folder {
       }
       people_.emplace(population, method.origin);
     }
+    return std::nullopt;
+  }
+
+  // The tubes are believed as skyway-fly reported them: that they are proved stays unverified.
+  std::optional<Refusal> why_tubes_differ() {
+    const auto& tubes = submission_.method.tubes;
+    const traj::GeographyRule rule = submission_.method.risk.geography;
+    if (tubes.has_value() != (rule == traj::GeographyRule::proved_tube)) {
+      return Refusal{"submission.json",
+                     "its geography is of proved tubes, or not, and its tubes are not"};
+    }
+    if (!tubes) return std::nullopt;
+    if (!has(cli::kTubesFile)) return Refusal{"submission.json", "its tubes are not in the folder"};
+    const std::string text = file(cli::kTubesFile);
+    if (traj::listed_file(cli::kTubesFile, text).sha256 != tubes->sha256) {
+      return Refusal{cli::kTubesFile,
+                     fmt::format("it is not {}, whose hash submission.json has", tubes->name)};
+    }
+    std::istringstream in(text);
+    tubes_.emplace(traj::TubeReports::read(in, name_of(cli::kTubesFile)));
+    not_verified_.push_back(fmt::format("the proofs of the tubes in {}", cli::kTubesFile));
     return std::nullopt;
   }
 
@@ -196,6 +219,7 @@ class Folder {
     cli::MethodFiles files;
     if (method.params) files.params = file(cli::kParamsFile);
     if (method.geoid_grid) files.geoid_grid = file(cli::kGeoidFile);
+    if (tubes_) files.tubes = &*tubes_;
     const cli::SubmittedFlights open(scenes, method, files);
     std::vector<cli::SubmittedFlight> missions;
     for (const std::string& name : submission_.missions) {
@@ -387,6 +411,7 @@ class Folder {
   std::optional<geom::BoxMap> map_;
   std::optional<traj::PopulationOnMap> people_;
   std::optional<traj::FlightSet> set_;  // of trajectories, where they are compared
+  std::optional<traj::TubeReports> tubes_;
   std::vector<std::string> not_verified_;
 };
 

@@ -1,8 +1,7 @@
 #include "tubes.h"
 
 #include "cli/file/files.h"
-#include "geom/base/error.h"
-#include "traj/check/check_tube_record.h"
+#include "traj/record/check_in_tube.h"
 
 namespace checking {
 namespace {
@@ -23,18 +22,12 @@ Tubes::Tubes(const std::string& file, const cli::Scenes& scenes, double margin)
 traj::TubeReport Tubes::check(const geom::CollisionScene& scene,
                               const traj::TrajectoryRecord& record) const {
   geom::Provenance room = geom::provenance_of(scene);
-  const traj::TubeRecord* const tube = tubes_.tube_of(record, room);
-  if (!tube) {
-    throw geom::InputError(tubes_.source(),
-                           {.expected = "a tube of each trajectory",
-                            .found = "none of " + geom::in_quotes(record.id),
-                            .advice = "skyway-fly --proved-tube or --runs writes it"});
-  }
+  const traj::TubeRecord& tube = tubes_.require_tube(record.id, record.trajectory, room);
   std::optional<geom::Vec3> body;
   if (profile_ && profile_->vehicle.half == scene.vehicle().half) body = profile_->body;
   room.margin = margin_;
   const auto around = scenes_.shared_scene_for(room, tubes_.source(), 0);
-  return traj::check_in_tube(*around, record, *tube, body);
+  return traj::check_in_tube(*around, record.id, record.trajectory, tube, body);
 }
 
 }  // namespace checking

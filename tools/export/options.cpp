@@ -14,6 +14,7 @@
 #include "dji_options.h"
 #include "geom/text/output_names.h"
 #include "traj/mission/airspace/flight_volumes.h"
+#include "traj/record/tube_reports.h"
 
 namespace exporting {
 namespace {
@@ -73,6 +74,9 @@ void Options::add_to(CLI::App& app) {
                  "volume4d: metres around the vehicle and its margin on every side, for how far it "
                  "may stray (default 0)")
       ->check(CLI::Range(0.0, 1000.0));
+  app.add_option("--tube", tube,
+                 "volume4d: reports of skyway-fly --proved-tube; the volumes hold the vehicle in "
+                 "its proved tube, which takes the place of the margin");
   autopilot.add_to(app);
   autopilot.add_tracking_to(app);
   cli::add_placement(app, file.placement);
@@ -108,15 +112,21 @@ void Options::require_sound(const CLI::App& app) const {
   }
   if (files.empty() && !unchecked) throw cli::UsageError("map is required (or --unchecked)");
   if (files.size() > map_files() + 1) throw cli::UsageError("--unchecked takes no map");
-  if (!unchecked) cli::at_most_one_stdin({files[0], input()});
+  if (!unchecked) cli::at_most_one_stdin({files[0], input(), tube});
   require_outputs();
   refuse_idle(app, word, unchecked);
   returns.require_sound(app, word, unchecked);
+  cli::only_for(app, word == "volume4d", {"--tube"}, "--format volume4d");
   cli::only_for(app, !show.empty() && !unchecked, cli::kSpacingOptions, "a --show that is checked");
   require_flyable(format(), file.speed);
 }
 
 void Options::settle() {
+  if (!tube.empty()) {
+    cli::InputFile reports(tube);
+    file.tubes = std::make_shared<const traj::TubeReports>(
+        traj::TubeReports::read(reports.stream(), reports.name()));
+  }
   autopilot.settle(vehicle.profile());
   file.flier = autopilot.flier;
   file.ned = axes == "ned";

@@ -25,6 +25,7 @@ struct Options {
   std::string output = "-";
   std::string python;  // of a Tello, beside its script; empty: not asked for
   std::string table;
+  std::string tube;  // reports with proved tubes, of volumes of airspace; empty: none
   ReturnOptions returns;
   std::string show;  // a folder for the files of all; empty: not asked for
   std::string id;

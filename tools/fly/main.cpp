@@ -64,11 +64,12 @@ void check_usage(const fly::Options& options, const Inputs& inputs, const cli::S
   if (!outputs.certificate.empty() && !options.proved_tube) {
     throw cli::UsageError("--certificate: give --proved-tube, of whose proof it is");
   }
-  if (!outputs.certificate.empty() && options.controller != traj::ControlLaw::geometric) {
+  if (!outputs.certificate.empty() && options.flown.controller != traj::ControlLaw::geometric) {
     throw cli::UsageError("--certificate: give --controller geometric; the script knows no other");
   }
   if (!outputs.certificate.empty() &&
-      std::max({options.drag_error, options.motor_lag_error, options.inertia_error}) > 0) {
+      std::max({options.flown.drag_error, options.flown.motor_lag_error,
+                options.flown.inertia_error}) > 0) {
     throw cli::UsageError(
         "--certificate holds for ranges of winds, gusts and masses alone: leave out --drag-error, "
         "--motor-lag-error and --inertia-error");
@@ -81,7 +82,7 @@ void check_usage(const fly::Options& options, const Inputs& inputs, const cli::S
     throw cli::UsageError(
         "a shard of --runs has no output but -o: give --report-file later, with --join");
   }
-  if (options.runs > 0 && std::abs(options.mass_error) >= 1) {
+  if (options.runs > 0 && std::abs(options.flown.mass_error) >= 1) {
     throw cli::UsageError("--mass-error must be below 1 with --runs");
   }
 }
@@ -89,27 +90,28 @@ void check_usage(const fly::Options& options, const Inputs& inputs, const cli::S
 // What must not be asked alone.
 void check_needs(const CLI::App& app, const fly::Options& options, const Inputs& inputs) {
   cli::only_for(app, options.tune, {"--cost"}, "--tune");
-  cli::only_for(app, options.proved_tube,
-                {"--wind-spread", "--gust-most", "--gust-lag", "--drag-error", "--motor-lag-error",
-                 "--inertia-error"},
-                "--proved-tube");
+  cli::SimulatedVehicleOptions::refuse_idle_disturbances(app, options.proves());
   cli::only_for(app, !inputs.map.empty(), {"--metres"}, "flights over a map");
 }
 
-// "0.0118" or, where a flight was lost, that.
-std::string shown(const std::optional<double>& cost) {
-  return cost ? fmt::format("{:.4g}", *cost) : "a lost flight";
+// "0.0118" or, where a flight was lost or a tube not proved, that.
+std::string shown(const std::optional<double>& cost, const fly::Options& options) {
+  if (cost) return fmt::format("{:.4g}", *cost);
+  return options.tunes_tube() ? "no proof" : "a lost flight";
 }
 
 void write_gains(const cli::Common& common, const traj::SimulatedFlights& mission,
                  const fly::Options& options, const std::string& output) {
   cli::OutputFile out(output, cli::OutputKind::text);
-  const traj::TuneResult tuned = mission.tune(options.flight_cost(), common.execution("flights"));
+  const traj::TuneResult tuned =
+      options.tunes_tube() ? mission.tune_tube(common.execution("rounds"))
+                           : mission.tune(options.flight_cost(), common.execution("flights"));
   out.stream() << traj::to_json(tuned.gains);
   out.commit();
-  common.note(fmt::format(
-      "cost ({}) before: {}, after: {}{}\n", options.cost, shown(tuned.before), shown(tuned.cost),
-      tuned.improved ? "" : "; no better gains were found, so none were changed"));
+  common.note(
+      fmt::format("cost ({}) before: {}, after: {}{}\n", options.cost, shown(tuned.before, options),
+                  shown(tuned.cost, options),
+                  tuned.improved ? "" : "; no better gains were found, so none were changed"));
   nlohmann::ordered_json stats = {{"flights", tuned.flights},
                                   {"velocity_cost", tuned.velocity_cost},
                                   {"before", nullptr},
@@ -196,7 +198,7 @@ traj::SimulationOptions simulation(const fly::Options& options, const cli::Vehic
   const traj::VehicleProfile profile = *vehicle.profile();
   traj::SimulationOptions out{profile, options.flight(profile)};
   if (options.runs > 0) out.spread = options.spread();
-  if (options.proved_tube) out.disturbances = options.disturbances(out.flight);
+  if (options.proves()) out.disturbances = options.flown.disturbances(out.flight);
   out.certificate = certificate;
   out.tube = options.tube;
   out.log_period = options.log_period();

@@ -26,6 +26,7 @@
 #include "tracks.h"
 #include "traj/curve/to_enu.h"
 #include "traj/proof/domain.h"
+#include "traj/record/tube_reports.h"
 
 namespace {
 
@@ -45,8 +46,9 @@ struct Options {
 constexpr double kFarthest = 200;  // metres: pairs that are farther apart are not looked for
 
 // What there is to draw of the inputs, all made for `map` where one is given.
-cli::Contents read(const Options& options, const geom::BoxMap* map) {
-  cli::Contents contents = cli::read_contents(options.inputs);
+cli::Contents read(const Options& options, const geom::BoxMap* map,
+                   const cli::ContentKinds& kinds = {}) {
+  cli::Contents contents = cli::read_contents(options.inputs, kinds);
   if (map) cli::require_same_map(contents, map, options.metres);
   if (const std::size_t failed = cli::drop_failed(contents)) {
     cli::tell(options.common, "skyway-plot",
@@ -111,15 +113,31 @@ const traj::TrajectoryRecord& plan_of(const traj::FlightLog& flight,
   return contents.trajectories.front().record;
 }
 
+// The tube of the plan, from reports of skyway-fly; null where none is of it.
+const traj::TubeRecord* tube_of(const traj::TrajectoryRecord& plan, const Options& options,
+                                const cli::Contents& contents) {
+  const geom::Provenance over{.frame = plan.provenance.frame.value_or(geom::Axes::enu),
+                              .vehicle = plan.provenance.vehicle};
+  for (const auto& [tube, source, line] : contents.tubes) {
+    if (tube.id == plan.id && !traj::why_not_of(tube, plan.trajectory, over)) return &tube;
+  }
+  if (!contents.tubes.empty()) {
+    cli::tell(options.common, "skyway-plot",
+              "draws no tube: none of the reports is of " + geom::excerpt(plan.id));
+  }
+  return nullptr;
+}
+
 std::string tracking(const Options& options) {
-  const cli::Contents contents = read(options, nullptr);
+  const cli::Contents contents = read(
+      options, nullptr, {.reports = true, .expected = "a trajectory or a report of skyway-fly"});
   const auto drawn = one_of(contents.flights, options, "a flight log");
   if (contents.trajectories.empty()) return plot::tracking(drawn.record, drawn.note);
   cli::require_same_map(contents, nullptr);
   const traj::TrajectoryRecord& plan = plan_of(drawn.record, contents);
   const traj::Trajectory enu =
       traj::to_enu(plan.provenance.frame.value_or(geom::Axes::enu), plan.trajectory);
-  return plot::tracking(drawn.record, drawn.note, &enu);
+  return plot::tracking(drawn.record, drawn.note, &enu, tube_of(plan, options, contents));
 }
 
 // What the title says of paths that are not drawn, because what moves is.

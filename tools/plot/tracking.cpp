@@ -34,8 +34,21 @@ double tilt(const FlightSample& s) {
   return std::acos(std::clamp(up, -1.0, 1.0)) * kDegrees;
 }
 
-Panel error_panel(const traj::FlightLog& flight) {
-  Panel panel{"error, m", {{"", colour(1), curve(flight, error)}}};
+// Steps: a radius for each period.
+Series tube_series(const traj::TubeRecord& tube) {
+  const bool proved = tube.claim.kind == traj::TubeKind::proved;
+  Series series{proved ? "proved tube" : "tube (statistics)", colour(2), {}, true};
+  for (std::size_t k = 0; k < tube.radius.size(); ++k) {
+    const double begin = static_cast<double>(k) * tube.period;
+    series.points.push_back({begin, tube.radius[k]});
+    series.points.push_back({begin + tube.period, tube.radius[k]});
+  }
+  return series;
+}
+
+Panel error_panel(const traj::FlightLog& flight, const traj::TubeRecord* tube) {
+  Panel panel{"error, m", {{tube ? "flown" : "", colour(1), curve(flight, error)}}};
+  if (tube) panel.series.push_back(tube_series(*tube));
   if (panel.series[0].points.empty()) return panel;
   const Point most = *std::max_element(panel.series[0].points.begin(), panel.series[0].points.end(),
                                        [](const Point& a, const Point& b) { return a.y < b.y; });
@@ -105,7 +118,7 @@ Panel motor_panel(const traj::FlightLog& flight) {
 }  // namespace
 
 std::string tracking(const traj::FlightLog& flight, std::string_view note,
-                     const traj::Trajectory* plan) {
+                     const traj::Trajectory* plan, const traj::TubeRecord* tube) {
   Figure figure;
   figure.title =
       fmt::format("{}: {:.2f} s flown, {}", flight.id,
@@ -113,7 +126,7 @@ std::string tracking(const traj::FlightLog& flight, std::string_view note,
   figure.title += note;
   figure.x_label = "time, s";
   figure.panels = not_empty(
-      {error_panel(flight),
+      {error_panel(flight, tube),
        axis_panel(flight, 0, "east, m", plan),
        axis_panel(flight, 1, "north, m", plan),
        axis_panel(flight, 2, "up, m", plan),

@@ -14,6 +14,7 @@
 #include "people.h"
 #include "submission_folder.h"
 #include "traj/submit/summary_page.h"
+#include "tubes.h"
 #include "view_page.h"
 
 namespace {
@@ -91,9 +92,10 @@ int main(int argc, char** argv) {
     SubmissionFolder folder(options.folder);
     folder.add("map.boxmap", text_of(options.map));
     folder.add("operation.json", operation_text);
-    const cli::SubmittedFlights open(
-        scenes, submission.method,
-        method_files(options, scenes.map().spec(), submission.method, folder));
+    const auto tubes = submitting::take_tubes(options.tube, submission.method, folder);
+    cli::MethodFiles files = method_files(options, scenes.map().spec(), submission.method, folder);
+    if (tubes) files.tubes = &*tubes;
+    const cli::SubmittedFlights open(scenes, submission.method, files);
     FlightFiles flights(common, open, folder, submission.method.together);
     for (const std::string& file : options.flights) flights.add(file, scenes.map());
     flights.write();

@@ -43,6 +43,10 @@ void Options::add_to(CLI::App& app) {
                  "metres around the vehicle and its margin on every side, for how far it may "
                  "stray (default 0)")
       ->check(CLI::Range(0.0, kFar));
+  app.add_option("--tube", tube,
+                 "reports of skyway-fly --proved-tube: volumes hold the vehicle in the proved tube "
+                 "of its trajectory, which takes the place of the margin")
+      ->type_name("FILE");
   app.add_option("--between", between_,
                  "from when until when missions are flown, which have no times, as "
                  "2026-05-04T06:30:00Z,2026-05-04T07:00:00Z")

@@ -22,6 +22,7 @@ struct Options {
   std::string folder;
   std::string operation;
   std::string population;                                          // empty: not asked for
+  std::string tube;                                                // likewise
   const std::string& params() const { return autopilot_.params; }  // empty: none
   const std::shared_ptr<const geom::GeoidGrid>& geoid_grid() const { return placement_.geoid_grid; }
   bool no_page = false;

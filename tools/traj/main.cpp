@@ -14,10 +14,12 @@
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
 #include "cli/shard/record_output.h"
+#include "cli/tell.h"
 #include "geom/base/processes.h"
 #include "geom/text/record_lines.h"
 #include "options.h"
 #include "traj/record/verdict.h"
+#include "tube.h"
 
 namespace {
 
@@ -61,16 +63,19 @@ std::size_t count_of(const std::string& path, const geom::Shard& shard) {
 
 struct Outputs {
   cli::RecordOutput trajectories;
-  std::optional<cli::RecordOutput> corridors;
+  std::optional<cli::RecordOutput> corridors = {};
+  std::optional<cli::RecordOutput> reports = {};
 
   void add(const solving::Answer& answer) {
     trajectories.add(answer.trajectory);
     trajectories.flush();
     if (corridors) corridors->add(answer.corridor);
+    if (reports) reports->add(answer.report);
   }
   void commit(std::size_t total, cli::Exit exit) {
     trajectories.commit(total, exit);
     if (corridors) corridors->commit(total, exit);
+    if (reports) reports->commit(total, exit);
   }
 };
 
@@ -93,28 +98,51 @@ traj::SolvedRecord answer_to(const geom::PathRecord& path, const std::string& so
 struct Tally {
   Counts counts;
   cli::Batch batch;
+  std::size_t told = 0;  // searches for a tube
 };
+
+constexpr std::size_t kMostTold = 5;  // of these, on stderr
+
+// How the search for a tube went, of the first few that took several rounds.
+void tell_rounds(const cli::Common& common, const solving::Answer& answer, const std::string& id,
+                 Tally& tally) {
+  if (answer.rounds.find(';') == std::string_view::npos || tally.told++ >= kMostTold) return;
+  cli::tell(common, "skyway-traj", id + ": " + std::string(answer.rounds));
+}
 
 bool is_failure(std::string_view found) { return found == "no_path" || found == "infeasible"; }
 
-void add(const solving::Answer& answer, const std::string& source, Tally& tally) {
+void add(const cli::Common& common, const solving::Answer& answer, const std::string& source,
+         Tally& tally) {
   ++tally.counts[std::string(answer.found)];
-  if (!is_failure(answer.found)) return tally.batch.add_good();
+  const bool good = !is_failure(answer.found);
+  if (good && answer.rounds.empty()) return tally.batch.add_good();
   const traj::TrajectoryRecord record = traj::parse_trajectory_record(answer.trajectory, source, 0);
-  tally.batch.add_failed(answer.found, record.id + ": " + traj::in_words(record));
+  tell_rounds(common, answer, record.id, tally);
+  if (good) return tally.batch.add_good();
+  const std::string why =
+      answer.rounds.empty() ? traj::in_words(record) : "no trajectory: " + std::string(answer.why);
+  tally.batch.add_failed(answer.found, record.id + ": " + why);
 }
 
 // A process an optimisation: MUMPS is not thread safe. `expected`: how many there are, 0 where that
 // is not known.
-Tally solve_each(Share& share, std::size_t expected, const solving::Options& options,
-                 cli::Scenes& scenes, const geom::Execution& run, Outputs& out) {
+Tally solve_each(const cli::Common& common, Share& share, std::size_t expected,
+                 const solving::Options& options, cli::Scenes& scenes, Outputs& out) {
+  const geom::Execution run = common.execution("trajectories");
+  std::optional<solving::TubeSolver> tubes;
+  if (options.proved_tube) tubes.emplace(options, scenes);
   const auto work = [&](const std::string& text) {
     const std::size_t blank = text.find(' ');
     const std::size_t number = std::stoul(text.substr(0, blank));
     const geom::PathRecord path =
         geom::parse_path_record(std::string_view(text).substr(blank + 1), share.source(), number);
-    return solving::to_text(answer_to(path, share.source(), number, options, scenes),
-                            out.corridors.has_value());
+    const bool corridors = out.corridors.has_value();
+    if (tubes) {
+      options.metres.check_input(scenes.map().spec().frame, path.points, share.source(), number);
+      return solving::to_text(tubes->solve(path, share.source(), number), corridors, scenes.map());
+    }
+    return solving::to_text(answer_to(path, share.source(), number, options, scenes), corridors);
   };
   Tally tally;
   std::size_t done = 0;
@@ -123,7 +151,7 @@ Tally solve_each(Share& share, std::size_t expected, const solving::Options& opt
   };
   const auto take = [&](const std::string& text) {
     const solving::Answer answer = solving::parse_answer(text);
-    add(answer, share.source(), tally);
+    add(common, answer, share.source(), tally);
     ++done;
     if (expected != done) tell(done + 1);
     out.add(answer);
@@ -154,27 +182,32 @@ int main(int argc, char** argv) {
   sharding.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     cli::at_most_one_stdin({map_file, input});
+    options.require_sound(app);
     options.choose_solver();
     sharding.begin(app, {{"map", map_file}, {"paths", input}},
-                   {{"output", output}, {"corridor-file", options.corridor_file}});
+                   {{"output", output},
+                    {"corridor-file", options.corridor_file},
+                    {"report-file", options.report_file}});
     if (const auto done = sharding.finished(common)) return *done;
     cli::Scenes scenes(cli::open_map(map_file, geom::Verified::extents, common.execution("verify")),
                        vehicle, geom::Differences::refused);
     if (scenes.profile()) options.task(scenes.profile()->vehicle);  // refuses before it reads
     cli::InputFile file(input);
     Share share(file, sharding.shard());
-    Outputs out{{output, "output", sharding}, std::nullopt};
+    Outputs out{{output, "output", sharding}};
+    if (options.proved_tube) out.reports.emplace(options.report_file, "report-file", sharding);
     if (!options.corridor_file.empty()) {
       out.corridors.emplace(options.corridor_file, "corridor-file", sharding);
     }
-    const geom::Execution run = common.execution("trajectories");
-    const auto [counts, batch] = solve_each(
-        share, run.progress ? count_of(input, sharding.shard()) : 0, options, scenes, run, out);
+    const bool counted = common.execution("trajectories").progress != nullptr;
+    const Tally tally = solve_each(common, share, counted ? count_of(input, sharding.shard()) : 0,
+                                   options, scenes, out);
+    const Counts& counts = tally.counts;
     const bool no = std::any_of(counts.begin(), counts.end(),
                                 [](const auto& count) { return is_failure(count.first); });
     const cli::Exit exit = no ? cli::Exit::no : cli::Exit::yes;
     out.commit(share.total(), exit);
-    batch.tell(common, "skyway-traj", "paths have no trajectory");
+    tally.batch.tell(common, "skyway-traj", "paths have no trajectory");
     common.write_stats({{"records", counts}});
     return exit;
   });

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "cli/option/numbers_option.h"
+#include "cli/option/option_check.h"
 #include "cli/option/output_option.h"
 #include "cli/option/solver_words.h"
 #include "cli/option/word_for.h"
@@ -61,6 +62,20 @@ void Options::add_to(CLI::App& app) {
   app.add_option("--yaw", yaw,
                  "along (the velocity), degrees from the map's x axis towards y, or X,Y of a point "
                  "to look at (default: no yaw)");
+  app.add_flag("--proved-tube", proved_tube,
+               "prove how far the simulated vehicle can stray, and solve until the map is clear "
+               "with that tube in place of a guessed margin (--controller geometric)");
+  cli::add_output(app, "--report-file", report_file,
+                  "reports of the proved tubes, JSON Lines, as skyway-fly writes them");
+  flown.add_to(app);
+}
+
+void Options::require_sound(const CLI::App& app) const {
+  cli::SimulatedVehicleOptions::refuse_idle(app, proved_tube, "--proved-tube");
+  cli::only_for(app, proved_tube, {"--report-file"}, "--proved-tube");
+  if (proved_tube && report_file.empty()) {
+    throw cli::UsageError("--proved-tube: give --report-file, which gets the tubes");
+  }
 }
 
 void Options::choose_solver() { cli::choose_solver(solver, times, solve); }

@@ -8,6 +8,7 @@
 
 #include "cli/option/degrees.h"
 #include "cli/option/limit_options.h"
+#include "cli/option/simulated_vehicle.h"
 #include "geom/record/agreed_room.h"
 #include "traj/curve/yaw.h"
 #include "traj/solve/solve.h"
@@ -28,8 +29,14 @@ struct Options {
   std::string yaw;            // along, degrees or X,Y; empty: none
   cli::LimitOptions limits;
   cli::MetresOption metres;
+  bool proved_tube = false;
+  std::string report_file;  // of proved tubes; empty: none
+  cli::SimulatedVehicleOptions flown;
 
   void add_to(CLI::App& app);
+
+  // Throws cli::UsageError for options of proved tubes that do not go together.
+  void require_sound(const CLI::App& app) const;
 
   // Once parsed: what --solver and --times say together; throws cli::UsageError.
   void choose_solver();

@@ -117,6 +117,7 @@ Json motions(const cli::Contents& contents, const LocalFrame& frame, const Fleet
     const Sampling sampling = sampling_of(traj::duration(record.trajectory), trajectories, count);
     out.push_back(trajectory_layer(read, sampling, axes_of(contents, record.provenance), frame,
                                    clearance, bundle));
+    if (auto tube = tube_layer(contents, record, bundle)) out.back()["tube"] = *std::move(tube);
     fleet.add_times(record, out.back());
   }
   for (const auto& read : contents.flights) {

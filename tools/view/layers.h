@@ -75,6 +75,9 @@ struct Sampling {
 Json trajectory_layer(const cli::Read<traj::TrajectoryRecord>& trajectory, const Sampling& sampling,
                       geom::Axes axes, const LocalFrame& frame, Clearance& clearance,
                       Bundle& bundle);
+// The tube of a trajectory that is of a file of reports; nothing where none of them is of it.
+std::optional<Json> tube_layer(const cli::Contents& contents, const traj::TrajectoryRecord& record,
+                               Bundle& bundle);
 // At most `samples` rows of the log, the first and the last among them. `made_for` says for which
 // vehicle and in which axes the obstacles are.
 Json flight_layer(const cli::Read<traj::FlightLog>& flight, std::size_t samples,

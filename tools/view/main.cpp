@@ -25,12 +25,13 @@ void require_one_stdin(const std::vector<std::string>& files, const std::string&
 
 cli::Contents read(const std::vector<std::string>& files, const cli::DroneFileOptions& options,
                    const cli::MetresOption& metres) {
-  const cli::ContentKinds kinds{.archives = true,
-                                .corridors = true,
-                                .reports = true,
-                                .contingencies = true,
-                                .drone_files = &options,
-                                .expected = "a path, a trajectory, a tree, a corridor, a report or a way home"};
+  const cli::ContentKinds kinds{
+      .archives = true,
+      .corridors = true,
+      .reports = true,
+      .contingencies = true,
+      .drone_files = &options,
+      .expected = "a path, a trajectory, a tree, a corridor, a report or a way home"};
   cli::Contents contents = cli::read_contents(files, kinds);
   cli::require_same_map(contents, contents.map ? &contents.map->record : nullptr, metres);
   return contents;

@@ -6,7 +6,7 @@ set(page_styles ${page}/theme.css ${page}/layout.css ${page}/controls.css)
 set(page_scripts
   ${page}/inflate.js ${page}/data.js ${page}/format.js ${page}/element.js ${page}/theme.js ${page}/scale.js
   ${page}/knots.js ${page}/motion.js ${page}/mission.js ${page}/home.js ${page}/selection.js ${page}/quantity.js ${page}/clock.js
-  ${page}/box_levels.js ${page}/boxes.js ${page}/outlines.js ${page}/ground.js ${page}/room.js ${page}/ribbon.js ${page}/ways.js ${page}/lattice.js ${page}/tree.js ${page}/corridor.js
+  ${page}/box_levels.js ${page}/boxes.js ${page}/outlines.js ${page}/ground.js ${page}/room.js ${page}/ribbon.js ${page}/ways.js ${page}/lattice.js ${page}/tree.js ${page}/corridor.js ${page}/tube.js
   ${page}/marker.js ${page}/drop_line.js ${page}/vehicle.js ${page}/fleet.js ${page}/home_lines.js ${page}/home_way.js ${page}/pair_line.js ${page}/pick.js ${page}/pick_line.js
   ${page}/mission_list.js ${page}/mission_labels.js
   ${page}/orbit.js ${page}/camera.js ${page}/compass.js ${page}/scale_bar.js ${page}/stage.js

@@ -33,17 +33,16 @@ std::string in_words(const Disturbances& d) {
                                 ? fmt::format("gusts towards at most {:g} m/s with a lag of {:g} s",
                                               d.gust_most, d.gust_lag)
                                 : "no gusts";
-  std::string out = fmt::format(
-      "a mean wind within {:g} m/s of [{:g}, {:g}, {:g}] m/s (east, north, up), {}, a mass within "
-      "{:g} %",
-      d.wind_spread, d.wind.x(), d.wind.y(), d.wind.z(), gusts, 100 * d.mass_error);
-  const auto also = [&](const char* what, double error) {
-    if (error > 0) out += fmt::format(", {} within {:g} %", what, 100 * error);
-  };
-  also("drag", d.drag_error);
-  also("a time constant of the motors", d.motor_lag_error);
-  also("inertia", d.inertia_error);
-  return out + " of what is believed";
+  std::string out =
+      fmt::format("a mean wind within {:g} m/s of [{:g}, {:g}, {:g}] m/s (east, north, up), {}",
+                  d.wind_spread, d.wind.x(), d.wind.y(), d.wind.z(), gusts);
+  for (const DisturbanceRange& range : kDisturbanceRanges) {
+    const bool mass = range.value == &Disturbances::mass_error;
+    if (range.share_of.empty() || (!mass && d.*range.value == 0)) continue;
+    out += fmt::format(", {} within {:g} % of what is believed", range.share_of,
+                       100 * (d.*range.value));
+  }
+  return out;
 }
 
 }  // namespace traj

@@ -22,8 +22,9 @@ void FlightLogCheck::read_tubes(std::istream& in, const std::string& source, geo
   bool found = false;
   for (Plan& plan : plans_) {
     const geom::Provenance& made_for = plan.record.provenance;
-    const TubeRecord* const tube = tubes.tube_of(
-        plan.record, {.frame = made_for.frame.value_or(axes), .vehicle = made_for.vehicle});
+    const TubeRecord* const tube =
+        tubes.tube_of(plan.record.id, plan.record.trajectory,
+                      {.frame = made_for.frame.value_or(axes), .vehicle = made_for.vehicle});
     if (!tube) continue;
     plan.tube = *tube;
     found = true;

@@ -13,6 +13,7 @@
 #include "traj/curve/trajectory_hash.h"
 #include "traj/flight/tilted_radius.h"
 #include "traj/tube/tube_certificate.h"
+#include "traj/tube/tune_tube.h"
 
 namespace traj {
 namespace {
@@ -242,7 +243,7 @@ void SimulatedFlights::fly(const geom::Execution& run,
   }
 }
 
-TuneResult SimulatedFlights::tune(const FlightCost& cost, const geom::Execution& run) const {
+std::vector<ReferenceTrack> SimulatedFlights::solved_tracks() const {
   std::vector<ReferenceTrack> tracks;
   for (const Entry& entry : entries_) {
     if (entry.record.status != TrajectoryStatus::solved) continue;
@@ -252,7 +253,15 @@ TuneResult SimulatedFlights::tune(const FlightCost& cost, const geom::Execution&
     throw geom::InputError(source_,
                            {.expected = "at least one solved trajectory", .found = "none"});
   }
-  return traj::tune(tracks, options_.flight, cost, {run.threads, {}});
+  return tracks;
+}
+
+TuneResult SimulatedFlights::tune(const FlightCost& cost, const geom::Execution& run) const {
+  return traj::tune(solved_tracks(), options_.flight, cost, {run.threads, {}});
+}
+
+TuneResult SimulatedFlights::tune_tube(const geom::Execution& run) const {
+  return traj::tune_tube(solved_tracks(), options_.flight, *options_.disturbances, run);
 }
 
 }  // namespace traj

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <span>
 
 #include "geom/text/json_fields.h"
 #include "geom/text/json_line.h"
@@ -23,17 +24,19 @@ constexpr std::string_view kMembers[] = {
     "ok",      "says", "damping", "cells", "trajectory", "reason", "motor",  "room", "period",
     "largest", "tilt", "clear",   "time",  "place",      "box",    "radius", "wind"};
 
-// A member assumed of nobody: it may be an assumption that is not told on.
-void require_known(const JsonFields& tube) {
+constexpr std::string_view kClaimMembers[] = {"kind", "largest", "tilt", "controller", "wind"};
+
+// One that nobody knows may be an assumption, which would not be told on.
+void require_known(const JsonFields& tube, std::span<const std::string_view> members) {
   for (const auto& [key, value] : tube.object().items()) {
     const auto is_key = [&, &name = key](const DisturbanceRange& range) {
       return range.key == name;
     };
-    if (std::find(std::begin(kMembers), std::end(kMembers), key) != std::end(kMembers) ||
+    if (std::find(members.begin(), members.end(), key) != members.end() ||
         std::any_of(kDisturbanceRanges.begin(), kDisturbanceRanges.end(), is_key)) {
       continue;
     }
-    tube.refuse({.key = "proved_tube",
+    tube.refuse({.key = "a tube",
                  .expected = "of members that this version knows",
                  .found = geom::in_quotes(key),
                  .advice = "read it with the version of Skyway that wrote it"});
@@ -74,7 +77,7 @@ void read_shape(const JsonFields& tube, TubeRecord& out) {
 }
 
 TubeRecord read_proved(const JsonFields& tube) {
-  require_known(tube);
+  require_known(tube, kMembers);
   TubeRecord out;
   out.claim.kind = TubeKind::proved;
   out.claim.disturbances = read_disturbances(tube);
@@ -131,6 +134,8 @@ std::optional<TubeRecord> parse_tube(std::string_view json, std::string_view sou
   }
   const JsonFields fields(tube->dump(), source, line);
   TubeRecord out = proved ? read_proved(fields) : read_statistics(fields);
+  out.id = flight.text("id");
+  out.claim.law = flight.word("controller", kControlLawWords, ControlLaw::cascade);
   out.provenance = geom::read_provenance(flight);
   return out;
 }
@@ -138,14 +143,30 @@ std::optional<TubeRecord> parse_tube(std::string_view json, std::string_view sou
 void add(geom::JsonLine& line, const TubeClaim& claim) {
   line.add("kind", geom::word_of(kTubeKindWords, claim.kind));
   line.add("largest", claim.largest).add("tilt", claim.tilt);
+  line.add("controller", geom::word_of(kControlLawWords, claim.law));
   if (claim.disturbances) add(line, *claim.disturbances);
+}
+
+TubeClaim read_tube_claim(const geom::JsonFields& fields) {
+  require_known(fields, kClaimMembers);
+  if (!fields.has("kind")) fields.refuse({.key = "kind", .expected = "a word", .found = "none"});
+  TubeClaim out;
+  out.kind = fields.word("kind", kTubeKindWords, TubeKind::statistics);
+  out.largest = length(fields, "largest", geom::kLargestCoordinate);
+  out.tilt = length(fields, "tilt", std::numbers::pi);
+  if (!fields.has("controller")) {
+    fields.refuse({.key = "controller", .expected = "a word", .found = "none"});
+  }
+  out.law = fields.word("controller", kControlLawWords, ControlLaw::cascade);
+  if (out.kind == TubeKind::proved) out.disturbances = read_disturbances(fields);
+  return out;
 }
 
 std::string in_words(const TubeClaim& claim) {
   const std::string tube = fmt::format("a tube of at most {:.4g} m", claim.largest);
   if (claim.kind == TubeKind::statistics) return tube + ", from statistics and not proved";
-  return fmt::format("{}, proved for the simulated vehicle in {}", tube,
-                     in_words(*claim.disturbances));
+  return fmt::format("{}, proved for the simulated vehicle under the {} controller in {}", tube,
+                     geom::word_of(kControlLawWords, claim.law), in_words(*claim.disturbances));
 }
 
 }  // namespace traj

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "geom/base/error.h"
-#include "geom/text/json_fields.h"
 #include "geom/text/record_lines.h"
 #include "traj/curve/trajectory_hash.h"
 #include "traj/flight/monte_carlo.h"
@@ -19,7 +17,55 @@ std::string shown(const geom::Vehicle& vehicle) {
                      vehicle.half.x(), vehicle.half.y(), vehicle.half.z());
 }
 
+std::optional<geom::Fault> other(std::string expected, std::string found) {
+  return geom::Fault{
+      .expected = std::move(expected), .found = std::move(found), .advice = kFlyAgain};
+}
+
+std::optional<geom::Fault> why_not_flown_by(const TubeRecord& tube, const geom::Vehicle& vehicle) {
+  const auto& flown = tube.provenance.vehicle;
+  if (flown && flown->name == vehicle.name && flown->half == vehicle.half) return std::nullopt;
+  if (tube.claim.kind == TubeKind::statistics && !flown) return std::nullopt;
+  return other(fmt::format("a flight of the vehicle {}", shown(vehicle)),
+               flown ? shown(*flown) : "none");
+}
+
+// A proved tube has a radius for each period; one of runs may go on longer.
+std::optional<geom::Fault> why_not_whole(const TubeRecord& tube, double duration) {
+  const auto has = static_cast<double>(tube.radius.size());
+  const bool proved = tube.claim.kind == TubeKind::proved;
+  if (proved ? tube.radius.size() == tube_periods(duration)
+             : has >= duration / tube.period - kHair) {
+    return std::nullopt;
+  }
+  return other(fmt::format("a tube for the {:.6g} s of its plan", duration),
+               fmt::format("one for {:.6g} s", has * tube.period));
+}
+
 }  // namespace
+
+std::optional<geom::Fault> why_not_of(const TubeRecord& tube, const Trajectory& trajectory,
+                                      const geom::Provenance& over) {
+  if (!tube.refused.empty()) {
+    return geom::Fault{.expected = "a tube that is proved",
+                       .found = fmt::format("a proof that was refused ({})", tube.refused),
+                       .advice = "allow less wind, gusts or mass error, or fly slower"};
+  }
+  const std::string hash = trajectory_hash(trajectory);
+  if (!tube.trajectory.empty() && tube.trajectory != hash) {
+    return other(fmt::format("a tube of the trajectory with hash {}", hash),
+                 fmt::format("one of {}", tube.trajectory));
+  }
+  const geom::Axes axes = tube.provenance.frame.value_or(geom::Axes::enu);
+  if (over.frame && *over.frame != axes) {
+    return other(fmt::format("a flight in axes {}", geom::name(*over.frame)),
+                 std::string(geom::name(axes)));
+  }
+  if (over.vehicle) {
+    if (auto why = why_not_flown_by(tube, *over.vehicle)) return why;
+  }
+  return why_not_whole(tube, duration(trajectory));
+}
 
 TubeReports TubeReports::read(std::istream& in, const std::string& source) {
   TubeReports out;
@@ -27,7 +73,7 @@ TubeReports TubeReports::read(std::istream& in, const std::string& source) {
   geom::for_each_line(in, source, [&](const std::string& text, std::size_t line) {
     auto tube = parse_tube(text, source, line);
     if (!tube) return;
-    const std::string id = geom::JsonFields(text, source, line).text("id");
+    const std::string id = tube->id;
     const auto [at, is_new] = out.tubes_.try_emplace(id, Entry{line, *std::move(tube)});
     if (is_new) return;
     throw geom::InputError(source, line,
@@ -38,59 +84,23 @@ TubeReports TubeReports::read(std::istream& in, const std::string& source) {
   return out;
 }
 
-void TubeReports::require_whole(const Entry& entry, double duration) const {
-  const TubeRecord& tube = entry.tube;
-  const double periods = duration / tube.period;
-  const auto has = static_cast<double>(tube.radius.size());
-  const bool proved = tube.claim.kind == TubeKind::proved;
-  if (proved ? tube.radius.size() == tube_periods(duration) : has >= periods - kHair) return;
-  throw geom::InputError(source_, entry.line,
-                         {.expected = fmt::format("a tube for the {:.6g} s of its plan", duration),
-                          .found = fmt::format("one for {:.6g} s", has * tube.period),
-                          .advice = kFlyAgain});
-}
-
-void TubeReports::require_same(const Entry& entry, const TrajectoryRecord& record,
-                               const geom::Provenance& over) const {
-  const TubeRecord& tube = entry.tube;
-  const auto refuse = [&](std::string expected, std::string found) {
-    throw geom::InputError(
-        source_, entry.line,
-        {.expected = std::move(expected), .found = std::move(found), .advice = kFlyAgain});
-  };
-  if (!tube.refused.empty()) {
-    throw geom::InputError(source_, entry.line,
-                           {.expected = "a tube that is proved",
-                            .found = fmt::format("a proof that was refused ({})", tube.refused),
-                            .advice = "allow less wind, gusts or mass error, or fly slower"});
-  }
-  const std::string hash = trajectory_hash(record.trajectory);
-  if (!tube.trajectory.empty() && tube.trajectory != hash) {
-    refuse(fmt::format("a tube of the trajectory with hash {}", hash),
-           fmt::format("one of {}", tube.trajectory));
-  }
-  const geom::Axes axes = tube.provenance.frame.value_or(geom::Axes::enu);
-  if (over.frame && *over.frame != axes) {
-    refuse(fmt::format("a flight in axes {}", geom::name(*over.frame)),
-           std::string(geom::name(axes)));
-  }
-  const auto& flown = tube.provenance.vehicle;
-  if (!over.vehicle ||
-      (flown && flown->name == over.vehicle->name && flown->half == over.vehicle->half)) {
-    return;
-  }
-  if (tube.claim.kind == TubeKind::statistics && !flown) return;
-  refuse(fmt::format("a flight of the vehicle {}", shown(*over.vehicle)),
-         flown ? shown(*flown) : "none");
-}
-
-const TubeRecord* TubeReports::tube_of(const TrajectoryRecord& record,
+const TubeRecord* TubeReports::tube_of(std::string_view id, const Trajectory& trajectory,
                                        const geom::Provenance& over) const {
-  const auto at = tubes_.find(record.id);
+  const auto at = tubes_.find(id);
   if (at == tubes_.end()) return nullptr;
-  require_same(at->second, record, over);
-  require_whole(at->second, duration(record.trajectory));
-  return &at->second.tube;
+  const Entry& entry = at->second;
+  if (auto why = why_not_of(entry.tube, trajectory, over)) {
+    throw geom::InputError(source_, entry.line, *std::move(why));
+  }
+  return &entry.tube;
+}
+
+const TubeRecord& TubeReports::require_tube(std::string_view id, const Trajectory& trajectory,
+                                            const geom::Provenance& over) const {
+  if (const TubeRecord* tube = tube_of(id, trajectory, over)) return *tube;
+  throw geom::InputError(source_, {.expected = "a tube of each trajectory",
+                                   .found = "none of " + geom::in_quotes(id),
+                                   .advice = "skyway-fly --proved-tube or --runs writes it"});
 }
 
 }  // namespace traj

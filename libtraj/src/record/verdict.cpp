@@ -289,15 +289,6 @@ std::string flown_in_words(const FlightPathCheck& check, const geom::Provenance&
                      p.z());
 }
 
-// Of a way that is clear, and not with its tube.
-std::string tube_in_words(const ReportRecord& report, const geom::BoxMap& map) {
-  const TubeReport& tube = *report.tube;
-  geom::Provenance held = report.provenance;
-  held.margin = tube.margin;
-  return fmt::format("with {}, {}; keep more room there, or fly slower", in_words(tube.claim),
-                     flown_in_words(tube.check, held, map));
-}
-
 std::string ways_home_in_words(const ReportRecord& report) {
   return fmt::format("ways home from every instant of {:.4g} s{}{}{}", report.result.duration,
                      report.exact ? "; proved again in exact numbers" : "",
@@ -402,6 +393,12 @@ std::string_view verdict_word(const ReportRecord& report) {
   return report.returns && !report.returns->ok() ? name(Reason::return_home) : kTubeReason;
 }
 
+std::string in_words(const TubeReport& tube, geom::Provenance over, const geom::BoxMap& map) {
+  over.margin = tube.margin;
+  return fmt::format("with {}, {}; keep more room there, or fly slower", in_words(tube.claim),
+                     flown_in_words(tube.check, over, map));
+}
+
 std::string in_words(const ReportRecord& report, const geom::BoxMap& map) {
   const bool ways_home = report.checked == kCheckedContingency;
   if (accepted(report)) {
@@ -412,7 +409,7 @@ std::string in_words(const ReportRecord& report, const geom::BoxMap& map) {
   if (!exact_refuses && report.returns && !report.returns->ok()) {
     return returns_in_words(*report.returns, map);
   }
-  if (!exact_refuses) return tube_in_words(report, map);
+  if (!exact_refuses) return in_words(*report.tube, report.provenance, map);
   return fmt::format(
       "the exact check refuses what the other accepts ({}); one of them is wrong: "
       "please report it",

@@ -38,7 +38,12 @@ double ground_buffer(const RiskRules& rules, double speed, double height) {
 std::vector<RiskFormula> formulas(const RiskRules& rules) {
   std::vector<RiskFormula> out{
       {"flight geography",
-       "the volumes that hold the vehicle with its margin and the stated buffer at every instant",
+       rules.geography == GeographyRule::proved_tube
+           ? "the volumes that hold the simulated vehicle in its proved tube, and the stated "
+             "buffer, "
+             "at every instant"
+           : "the volumes that hold the vehicle with its margin and the stated buffer at every "
+             "instant",
        kAnnex}};
   if (rules.contingency == ContingencyRule::stop) {
     out.push_back({"contingency volume, across",

@@ -23,6 +23,9 @@ constexpr std::string_view kClaimsType = "flight_claims";
 
 JsonLine json_of(const RiskRules& rules) {
   JsonLine out;
+  if (rules.geography != GeographyRule::margin) {
+    out.add("geography", geom::word_of(kGeographyWords, rules.geography));
+  }
   out.add("contingency", geom::word_of(kContingencyWords, rules.contingency))
       .add("buffer", geom::word_of(kBufferWords, rules.buffer))
       .add("dimension", rules.dimension);
@@ -73,6 +76,12 @@ JsonLine json_of(const FlightPairs& pairs) {
       out.add("compared", pairs.compared).add("too_near", pairs.refused).add("named", pairs.named));
 }
 
+JsonLine json_of(const TubeClaim& claim) {
+  JsonLine out;
+  add(out, claim);
+  return out;
+}
+
 JsonLine json_of(const SubmissionMethod& method) {
   JsonLine out;
   out.add("origin",
@@ -95,18 +104,20 @@ JsonLine json_of(const SubmissionMethod& method) {
   geom::add(out, method.limits);
   out.add("endurance", method.endurance).add("begins", method.begins).add("ends", method.ends);
   if (method.together) out.add("together", json_of(*method.together));
+  if (method.tubes) out.add("tubes", json_of(*method.tubes));
   return out;
 }
 
 // --- read back --------------------------------------------------------------------------------
 
 // A member that is an object, as the fields of a record of its own.
-JsonFields member(const JsonFields& fields, const char* key, std::string_view source) {
+JsonFields member(const JsonFields& fields, const char* key, std::string_view source,
+                  std::size_t line = 0) {
   const nlohmann::json& value = fields.value(key);
   if (!value.is_object()) {
     fields.refuse({.key = key, .expected = "an object", .found = geom::shown(value)});
   }
-  return JsonFields(value.dump(), source, 0);
+  return JsonFields(value.dump(), source, line);
 }
 
 double number(const JsonFields& fields, const char* key, double least, double most) {
@@ -159,6 +170,7 @@ std::optional<std::string> instant(const JsonFields& fields, const char* key) {
 RiskRules read_rules(const JsonFields& fields) {
   constexpr double kFar = 1e4;
   RiskRules out;
+  out.geography = fields.word("geography", kGeographyWords, GeographyRule::margin);
   out.contingency = fields.word("contingency", kContingencyWords, ContingencyRule::stop);
   out.buffer = fields.word("buffer", kBufferWords, BufferRule::one_to_one);
   out.dimension = number(fields, "dimension", 0, kFar);
@@ -207,6 +219,11 @@ FlightPairs read_pairs(const JsonFields& fields) {
   return out;
 }
 
+SourceFile read_source_file(const nlohmann::json& value, std::string_view source) {
+  const JsonFields fields(value.dump(), source, 0);
+  return {fields.text("name"), fields.text("sha256"), fields.text("date", "")};
+}
+
 SubmissionMethod read_method(const JsonFields& fields, std::string_view source) {
   SubmissionMethod out;
   const std::vector<double> origin = numbers(fields, "origin", 3, -1e5, 1e5);
@@ -232,12 +249,8 @@ SubmissionMethod read_method(const JsonFields& fields, std::string_view source) 
   out.begins = instant(fields, "begins");
   out.ends = instant(fields, "ends");
   if (fields.has("together")) out.together = read_together(member(fields, "together", source));
+  if (fields.has("tubes")) out.tubes = read_source_file(fields.value("tubes"), source);
   return out;
-}
-
-SourceFile read_source_file(const nlohmann::json& value, std::string_view source) {
-  const JsonFields fields(value.dump(), source, 0);
-  return {fields.text("name"), fields.text("sha256"), fields.text("date", "")};
 }
 
 std::vector<nlohmann::json> list(const JsonFields& fields, const char* key) {
@@ -310,8 +323,9 @@ std::string to_json_line(const FlightClaims& claims) {
       .add("begins", claims.begins)
       .add("ends", claims.ends)
       .add("duration", claims.duration)
-      .add("clearance", claims.clearance)
-      .add("speed", claims.speed)
+      .add("clearance", claims.clearance);
+  if (claims.tube) out.add("tube", json_of(*claims.tube));
+  out.add("speed", claims.speed)
       .add("top", claims.top)
       .add("contingency_across", claims.contingency.across)
       .add("contingency_vertical", claims.contingency.vertical)
@@ -339,6 +353,7 @@ FlightClaims parse_flight_claims(std::string_view json, std::string_view source,
   out.ends = fields.text("ends");
   out.duration = number(fields, "duration", 0, kMost);
   out.clearance = number_or_nothing(fields, "clearance", -kMost, kMost);
+  if (fields.has("tube")) out.tube = read_tube_claim(member(fields, "tube", source, line));
   out.speed = number(fields, "speed", 0, kMost);
   out.top = number(fields, "top", -kMost, kMost);
   out.contingency = {number(fields, "contingency_across", 0, kMost),

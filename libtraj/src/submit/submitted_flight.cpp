@@ -60,6 +60,7 @@ FlightClaims SubmittedFlight::claims(const geom::IntentVolumes& intent,
   out.ends = ends();
   out.duration = duration();
   if (report_.result.clearance) out.clearance = report_.result.clearance->value;
+  if (report_.tube) out.tube = report_.tube->claim;
   out.speed = *speed();
   out.contingency = contingency_size(method_.risk, out.speed);
   out.top = 0;

@@ -7,6 +7,7 @@
 #include "traj/mission/airspace/flight_volumes.h"
 #include "traj/mission/formats/placement.h"
 #include "traj/record/certificate_record.h"
+#include "traj/record/check_in_tube.h"
 #include "traj/submit/submitted_flight.h"
 
 namespace traj {
@@ -23,9 +24,14 @@ ReturnsOnEarth returns_on_earth(const geom::CollisionScene& scene, const Traject
 SubmittedTrajectory::SubmittedTrajectory(const geom::CollisionScene& scene,
                                          const TrajectoryRecord& record,
                                          const SubmissionMethod& method, const Flier& flier,
-                                         std::string_view source, std::size_t line)
+                                         std::string_view source, std::size_t line,
+                                         const std::optional<SubmittedTubes>& tubes)
     : SubmittedFlight(scene, method), record_(record) {
   report_ = check_record(scene, record, {.asked = method.limits, .exact = true}, source, line);
+  if (!accepted(report_)) return;
+  if (tubes) {
+    report_.tube = check_as_geography(tubes->scene, record.id, record.trajectory, tubes->tubes);
+  }
   if (!accepted(report_)) return;
   enu_ = to_enu(scene.map().spec().frame.axes, record.trajectory);
   for (const Segment& s : enu_.segments) {
@@ -45,7 +51,9 @@ std::optional<std::string> SubmittedTrajectory::why_no_times() const {
 double SubmittedTrajectory::duration() const { return report_.result.duration; }
 
 FlightOnEarth SubmittedTrajectory::on_earth() const {
-  const Vec3 room = geom::to_enu(scene_.map().spec().frame.axes, Vec3(scene_.half())).cwiseAbs() +
+  const Vec3 half =
+      report_.tube ? geography_half(scene_.vehicle(), *report_.tube) : Vec3(scene_.half());
+  const Vec3 room = geom::to_enu(scene_.map().spec().frame.axes, half).cwiseAbs() +
                     Vec3::Constant(method_.buffer);
   return {{&enu_, *record_.time.start, room}, *record_.time.epoch, method_.origin};
 }

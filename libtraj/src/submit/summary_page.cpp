@@ -8,6 +8,7 @@
 
 #include "geom/text/counted.h"
 #include "geom/text/markup.h"
+#include "traj/record/disturbance_record.h"
 
 namespace traj {
 namespace {
@@ -132,9 +133,14 @@ class Page {
           "vehicle's size and its margin; it stays within the map's bounds and its limits on "
           "speed and acceleration. This was checked in exact numbers, and certificates.jsonl "
           "holds the reasons.");
-      item(
-          "The nominal volumes hold the vehicle with its margin and the buffer at every instant "
-          "of each trajectory.");
+      item(method_.tubes
+               ? fmt::format(
+                     "Each trajectory has a tube of at most {:.3g} m, which is clear of every "
+                     "obstacle: the simulated vehicle never leaves it. The nominal volumes hold "
+                     "that vehicle with the buffer, wherever in its tube it is, at every instant.",
+                     widest_tube())
+               : "The nominal volumes hold the vehicle with its margin and the buffer at every "
+                 "instant of each trajectory.");
     }
     if (has_kind("mission")) {
       item(
@@ -206,10 +212,7 @@ class Page {
     heading("What was assumed, and is not proved");
     out_ += "<ul>\n";
     item("The map is like the world, and the vehicle is like its profile.");
-    item(method_.buffer > 0
-             ? fmt::format("The vehicle strays from its way by no more than the margin and {:g} m.",
-                           method_.buffer)
-             : "The vehicle strays from its way by no more than the margin.");
+    assume_straying();
     item(
         fmt::format("The map's origin is at {:.9g}, {:.9g} and {:g} m above the ellipsoid of WGS "
                     "84.",
@@ -268,6 +271,41 @@ class Page {
           method_.navigation->across, method_.navigation->vertical);
     }
     return out + ".";
+  }
+
+  double widest_tube() const {
+    double widest = 0;
+    for (const FlightClaims& one : flights_) {
+      if (one.tube) widest = std::max(widest, one.tube->largest);
+    }
+    return widest;
+  }
+
+  // How far the vehicle may be from its way.
+  void assume_straying() {
+    const std::string beyond =
+        method_.buffer > 0 ? fmt::format(" and {:g} m", method_.buffer) : std::string();
+    if (!method_.tubes) {
+      return item(
+          fmt::format("The vehicle strays from its way by no more than the margin{}.", beyond));
+    }
+    item(
+        "The vehicle moves like the simulated one of its profile, with exact sensors and without "
+        "delay" +
+        (beyond.empty() ? "." : fmt::format(", or strays{} more.", beyond.substr(4))));
+    std::vector<std::string> said_before;
+    for (const FlightClaims& one : flights_) {
+      if (!one.tube || !one.tube->disturbances) continue;
+      const std::string words = fmt::format("It is flown by the {} controller, and meets {}.",
+                                            geom::word_of(kControlLawWords, one.tube->law),
+                                            in_words(*one.tube->disturbances));
+      if (std::find(said_before.begin(), said_before.end(), words) != said_before.end()) continue;
+      item(words);
+      said_before.push_back(words);
+    }
+    item(
+        "The tubes are as skyway-fly reported them (tubes.jsonl). The check of this folder holds "
+        "volumes and map against them, and does not prove them again.");
   }
 
   void assume_manoeuvre() {
@@ -395,6 +433,7 @@ class Page {
           said(*method_.made_for.map));
     }
     if (submission_.population) source_row("Population", *submission_.population);
+    if (method_.tubes) source_row("Proved tubes", *method_.tubes);
     for (const SourceFile& zone : submission_.zones) source_row("Zones", zone);
     end_table();
   }

@@ -63,6 +63,18 @@ def keep_their_schemas(folder, report):
             assert not known[kind].is_valid({k: v for k, v in record.items() if k != key}), f"{kind}: {key} is not needed"
 
 
+def make_with_tubes(where):
+    """A folder whose volumes hold proved tubes."""
+    flights, tubes = where / "flights.jsonl", where / "tubes.jsonl"
+    flown = tool("fly", flights, "--vehicle", "quad2kg", "--controller", "geometric", "--proved-tube", "--wind", "1,0,0",
+                 "--gust-most", "0.3", "--hover-time", "0.5", "--settle", "0.5", "--report-file", tubes, "-o", where / "log.csv")
+    assert flown.returncode == 0, flown.stderr
+    made = tool("submit", where / "city.boxmap", flights, "--operation", source / "data/samples/operation.json", "--vehicle", "quad2kg",
+                "--origin", "37,-122,10", "--tube", tubes, "--no-page", "-q", "-o", where / "tubes")
+    assert made.returncode == 0, made.stderr
+    return where / "tubes"
+
+
 def listed(folder):
     files = sorted(str(path.relative_to(folder)) for path in folder.rglob("*") if path.is_file())
     return [name for name in files if name != "manifest.json"]
@@ -186,6 +198,37 @@ def shrink(folder, where, name, key):
             expect_refused(mutant, f"{name}: {how} of {i}", script=False)
 
 
+def change_tubes(folder, where):
+    """Tubes, signed anew wherever their hash stands: what they say is not what the other files say."""
+    lines = [json.loads(line) for line in (folder / "tubes.jsonl").read_text(encoding="utf-8").splitlines()]
+
+    def wider(tube):
+        tube["radius"] = [100 * r for r in tube["radius"]]
+        tube["largest"] = max(tube["radius"])
+
+    def set_to(key, value):
+        return lambda tube: tube.__setitem__(key, value)
+
+    cut = lambda tube: tube["radius"].pop()
+    for what, change, claims in (
+            ("wider", wider, False), ("wider, and claims", wider, True), ("cut", cut, False), ("not proved", set_to("ok", False), False),
+            ("of another", set_to("trajectory", "0" * 64), False), ("tilted", set_to("tilt", 1.2), True),
+            ("for less wind", set_to("gust_most", 0.1), False), ("of more", set_to("rain", 1), False),
+            ("null", lambda tube: tube["radius"].__setitem__(0, None), False)):
+        mutant, new = copy(folder, where), json.loads(json.dumps(lines))
+        change(new[0]["proved_tube"])
+        (mutant / "tubes.jsonl").write_text("".join(json.dumps(one, separators=(",", ":")) + "\n" for one in new), encoding="utf-8")
+        old, now = (hashlib.sha256((f / "tubes.jsonl").read_bytes()).hexdigest() for f in (folder, mutant))
+        for name in ("submission.json", "summary.html"):
+            (mutant / name).write_text((mutant / name).read_text(encoding="utf-8").replace(old, now), encoding="utf-8")
+        if claims:
+            rows = [json.loads(line) for line in (mutant / "claims.jsonl").read_text(encoding="utf-8").splitlines()]
+            rows[0]["tube"].update({key: new[0]["proved_tube"][key] for key in ("largest", "tilt")})
+            (mutant / "claims.jsonl").write_text("".join(json.dumps(one, separators=(",", ":")) + "\n" for one in rows), encoding="utf-8")
+        sign(mutant)
+        expect_refused(mutant, f"a tube that is {what}", script=what not in ("of more",))
+
+
 rows_of = {}
 
 
@@ -243,6 +286,16 @@ def main():
         change_values(folders[0], where, "pairs.jsonl")
         change_values(folders[0], where, "pair_certificates.jsonl", step=11)
         change_values(folders[0], where, "volumes/mission.json", step=7)
+        tubes = make_with_tubes(where)
+        checked = tool("check", tubes)
+        assert checked.returncode == 0, checked.stderr
+        assert json.loads(checked.stdout)["not_verified"] == ["the proofs of the tubes in tubes.jsonl"]
+        followed = run(sys.executable, "-B", tubes / "verify/verify_folder.py", tubes)
+        assert followed.returncode == 0, followed.stdout
+        change_files(tubes, where)
+        change_tubes(tubes, where)
+        change_values(tubes, where, "submission.json", keep=("volumes",))
+        change_values(tubes, where, "claims.jsonl")
         # A page is for looking: the check says that it is not verified.
         mutant = copy(folders[0], where)
         (mutant / "page.html").write_text("<p>another</p>", encoding="utf-8")

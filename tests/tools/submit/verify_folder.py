@@ -6,7 +6,9 @@ Python's standard library is enough. The script works out
 - the certificates of all trajectories in exact fractions (verify_certificate.py, beside this script), and of
   pairs of them, where the folder says that all keep apart (verify_together.py);
 - at many instants of each trajectory, and at all its joints, that a volume of that time holds the box of
-  the vehicle with its margin and the buffer;
+  the vehicle with the buffer and its margin or, where there is one, its proved tube;
+- that a tube of tubes.jsonl is proved, of this very trajectory (by its hash) and as long as it; the proof
+  of the tube itself is not in the folder;
 - how far contingency volumes and ground risk buffers reach around what they are around, from the numbers
   of the formulas;
 - the people in all cells of population.csv that a ground risk buffer touches;
@@ -22,6 +24,7 @@ import hashlib
 import json
 import math
 import os
+import struct
 import subprocess
 import sys
 from datetime import datetime, timezone
@@ -201,8 +204,8 @@ def places_of(record, enu):
 
 
 def check_held(record, volumes, method, claims, enu):
-    half, margin, around = claims["half"], claims["margin"], method["around"]
-    room = [half[0] + margin + around, half[1] + margin + around, half[2] + margin + around]
+    stray = claims["tube"]["largest"] if "tube" in claims else claims["margin"]
+    room = [h + stray + method["around"] for h in claims["half"]]
     if not enu:
         room[0], room[1] = room[1], room[0]
     begin = instant(record["epoch"]).timestamp() + record["start"]
@@ -315,6 +318,46 @@ def follow(folder, script, names):
     require(ran.returncode == 0, names[-1], (ran.stdout + ran.stderr).strip().splitlines()[-1:])
 
 
+def trajectory_hash(record):
+    numbers = [float(len(record["segments"]))]
+    for s in record["segments"]:
+        numbers.append(float(s["duration"]))
+        for i in range(8):
+            numbers += [float(s[axis][i]) for axis in "xyz"]
+        yaw = s.get("yaw")
+        numbers += [8.0, *(float(y) for y in yaw)] if yaw else [0.0]
+    return hashlib.sha256(struct.pack(f"<{len(numbers)}d", *(n + 0.0 for n in numbers))).hexdigest()
+
+
+def check_tube(record, claims, tubes, tilt_most):
+    file, said = "tubes.jsonl", claims["tube"]
+    require(record["id"] in tubes, file, f"it has no tube of {record['id']}")
+    tube = tubes[record["id"]]["proved_tube"]
+    require(tube["ok"] is True and said["kind"] == "proved", file, f"the tube of {record['id']} is not proved")
+    require(tube["trajectory"] == trajectory_hash(record), file, f"the tube of {record['id']} is of another trajectory")
+    require(all(0 <= r < math.inf for r in tube["radius"]), file, "a radius is no length")
+    require(max(tube["radius"]) == said["largest"], "claims.jsonl", f"the tube of {record['id']} is of another width")
+    require(len(tube["radius"]) * tube["period"] >= claims["duration"] - 1e-9, file, f"the tube of {record['id']} is cut")
+    require(tube["tilt"] <= tilt_most, file, f"{record['id']} tilts further than the half sizes hold")
+    require(said["controller"] == tubes[record["id"]]["controller"], "claims.jsonl", "another controller flies")
+    for key in set(said) - {"kind", "largest", "tilt", "controller"}:
+        require(tube[key] == said[key], "claims.jsonl", f"the tube of {record['id']} is proved for another {key}")
+
+
+def check_tubes(folder, method, records, claims):
+    """Every trajectory has a proved tube where the method names the file of them; else none has."""
+    if "tubes" not in method:
+        require(all("tube" not in one for one in claims), "claims.jsonl", "it names tubes, and the method none")
+        return
+    data = open(os.path.join(folder, "tubes.jsonl"), "rb").read()
+    require(hashlib.sha256(data).hexdigest() == method["tubes"]["sha256"], "tubes.jsonl", "it has another hash")
+    tubes = {one["id"]: one for one in lines(folder, "tubes.jsonl")}
+    for one in claims:
+        require("tube" in one and one["kind"] == "trajectory", "claims.jsonl", f"{one['id']} has no tube")
+        limits = records[one["id"]].get("vehicle", {}).get("limits", {})
+        check_tube(records[one["id"]], one, tubes, limits.get("tilt", math.inf))
+
+
 def check_certificates(folder, found):
     if "flights.jsonl" in found:
         follow(folder, "verify_certificate.py", ["flights.jsonl", "map.boxmap", "certificates.jsonl"])
@@ -354,6 +397,7 @@ def check(folder):
     require(set(records) == {c["id"] for c in claims if c["kind"] == "trajectory"}, "claims.jsonl", "its flights are others")
     check_certificates(folder, found)
     check_pairs(folder, found, submission)
+    check_tubes(folder, method, records, claims)
     cells = population(folder, origin)
     for one in claims:
         nominal = intent_volumes(folder, one["volumes"], origin, "volumes")

@@ -208,6 +208,33 @@ def check_imported(folder):
         assert ("error_max" in layer["summary"]) == has and "saturated" in layer["summary"]
 
 
+def hop():
+    """A trajectory of 3 s that a quadrotor follows."""
+    return {"type": "trajectory", "frame": "neu", "segments": [
+        {"duration": 3, "x": [20] * 4 + [23] * 4, "y": [50] * 4 + [52] * 4, "z": [30] * 8}]}
+
+
+def check_tubes(folder, record):
+    """The tube of a report, of its own trajectory alone, and never called proved where it is not."""
+    own = dict(record, id="q1")
+    (folder / "flown").write_text(json.dumps(own) + "\n")
+    asked = ("--vehicle", data / "quad.json", "--hover-time", "0.5", "--settle", "0.5", "-o", folder / "log.csv", "--report-file")
+    run("skyway-fly", folder / "flown", *asked, folder / "proved", "--controller", "geometric", "--proved-tube", "--gust-most", "0.1")
+    run("skyway-fly", folder / "flown", *asked, folder / "runs", "--runs", "3")
+    reports = {kind: json.loads((folder / kind).read_text()) for kind in ("proved", "runs")}
+    for kind, tube in (("proved", reports["proved"]["proved_tube"]), ("runs", reports["runs"]["monte_carlo"]["tube"])):
+        run("skyway-view", folder / "flown", folder / kind, "-o", folder / "tube.html")
+        page = Page(folder / "tube.html")
+        shown = page.meta["motions"][0]["tube"]
+        assert shown["kind"] == {"proved": "proved", "runs": "statistics"}[kind]
+        assert ("proved for the simulated vehicle" in shown["words"]) == (kind == "proved"), shown["words"]
+        close(page.array(shown["radius"]), tube["radius"], 1e-6)
+    own["segments"][0]["duration"] *= 1.5
+    (folder / "flown").write_text(json.dumps(own) + "\n")
+    run("skyway-view", folder / "flown", folder / "proved", "-o", folder / "tube.html")
+    assert "tube" not in Page(folder / "tube.html").meta["motions"][0]
+
+
 def fleet_records(count):
     """Trajectories of an early and a late part that meet only in position, side by side, each 3 s after the one before."""
     pick = random.Random(6)
@@ -439,6 +466,7 @@ def main(folder):
     check_imported(folder)
     check_home(folder, record)
     check_levels(folder)
+    check_tubes(folder, hop())
     check_fleet(folder)
 
 

@@ -825,6 +825,26 @@ def shows_vienna(browser, folder, page):
     viewer.picture("vienna")
 
 
+def shows_tube(browser, folder, page):
+    """A proved tube and one of statistics, each by its own name; both can be hidden."""
+    quad = source / "tests/golden/data/quad.json"
+    record = {"type": "trajectory", "id": "q1", "segments": [
+        {"duration": 3, "x": [0] * 4 + [3] * 4, "y": [0] * 4 + [2] * 4, "z": [30] * 8}]}
+    (folder / "hop").write_text(json.dumps(record) + "\n")
+    asked = ("--vehicle", quad, "--hover-time", "0.5", "--settle", "0.5", "-o", folder / "hop.csv", "--report-file", folder / "tube")
+    for kind, options in (("proved", ("--controller", "geometric", "--proved-tube", "--gust-most", "0.2")), ("statistics", ("--runs", "3"))):
+        run("skyway-fly", folder / "hop", *asked, *options)
+        run("skyway-view", folder / "hop", folder / "tube", "-o", page)
+        viewer = Viewer(browser, page)
+        words = browser.run("return [...document.querySelectorAll('#layers section')].map(s => s.textContent).find(t => t.startsWith('Tube'))")
+        assert words.startswith("Tube" + kind) and ("Proved for the simulated vehicle" in words) == (kind == "proved"), words
+        assert ("not proved" in words) == (kind == "statistics"), words
+        viewer.picture(f"tube-{kind}")
+        calls = viewer.get("drawCalls")
+        browser.run("[...document.querySelectorAll('#layers .head')].find(l => l.textContent.startsWith('Tube')).click()")
+        viewer.until(f"skyway.drawCalls < {calls}")
+
+
 def works_without_webgl(folder, page):
     run("skyway-view", *[folder / f for f in ("map", "trajectory")], "-o", page)
     with Browser(extra=["--disable-3d-apis"]) as browser:
@@ -856,6 +876,7 @@ def main(folder):
         shows_room(browser, folder, page)
         shows_labels(browser, folder, page)
         shows_hostile_names(browser, folder, page)
+        shows_tube(browser, folder, page)
         if os.environ.get("SKYWAY_REALDATA"):
             real = folder / "real"
             real.mkdir()

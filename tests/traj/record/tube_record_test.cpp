@@ -13,6 +13,7 @@ namespace {
 std::string proved(const std::vector<double>& radius = {0.02, 0.03, 0.01}) {
   FlightReport report{.id = "a", .duration = 0.3, .trajectory = "abc"};
   report.disturbances = Disturbances{.wind = {1, 0, 0}, .wind_spread = 0.2, .gust_most = 0.5};
+  report.options.law = ControlLaw::geometric;
   report.proved.radius = radius;
   report.proved.largest = 0.03;
   report.proved.tilt = 0.4;
@@ -43,7 +44,7 @@ TEST(TubeRecord, ReadsTheProvedTubeOfAReport) {
   EXPECT_EQ(tube->claim.disturbances->gust_most, 0.5);
   EXPECT_EQ(tube->provenance.vehicle->name, "quad");
   EXPECT_TRUE(tube->refused.empty());
-  EXPECT_NE(in_words(tube->claim).find("proved for the simulated vehicle"), std::string::npos);
+  EXPECT_NE(in_words(tube->claim).find("proved for the simulated vehicle under the geometric controller"), std::string::npos);
 }
 
 TEST(TubeRecord, NeverCallsTheTubeOfRunsProved) {
@@ -58,7 +59,7 @@ TEST(TubeRecord, NeverCallsTheTubeOfRunsProved) {
   EXPECT_EQ(words.find("proved for"), std::string::npos);
   geom::JsonLine line;
   add(line, tube->claim);
-  EXPECT_EQ(line.object(), R"({"kind":"statistics","largest":0.3,"tilt":0})");
+  EXPECT_EQ(line.object(), R"({"kind":"statistics","largest":0.3,"tilt":0,"controller":"cascade"})");
 }
 
 TEST(TubeRecord, IsNothingForAFlightWithoutATube) {

@@ -8,6 +8,7 @@
 #include "traj/curve/trajectory_hash.h"
 #include "traj/flights.h"
 #include "traj/record/flight_report.h"
+#include "traj/record/trajectory_record.h"
 
 namespace traj {
 namespace {
@@ -41,16 +42,20 @@ TubeReports read(const std::string& text) {
 std::string refusal(const FlightReport& report, const TrajectoryRecord& record,
                     const geom::Provenance& over = kOver) {
   const TubeReports tubes = read(to_json_line(report, {}, nullptr));
-  return support::refusal_of([&] { tubes.tube_of(record, over); });
+  return support::refusal_of([&] { tubes.tube_of(record.id, record.trajectory, over); });
 }
 
 TEST(TubeReports, GivesTheTubeOfATrajectory) {
   const TubeReports tubes = read(to_json_line(report_of(plan("a")), {}, nullptr) +
                                  "{\"type\":\"flight\",\"id\":\"none\"}\n");
-  ASSERT_TRUE(tubes.tube_of(plan("a"), kOver));
-  EXPECT_EQ(tubes.tube_of(plan("a"), kOver)->radius.size(), 10u);
-  EXPECT_FALSE(tubes.tube_of(plan("none"), kOver));
-  EXPECT_FALSE(tubes.tube_of(plan("b"), kOver));
+  ASSERT_TRUE(tubes.tube_of("a", plan("a").trajectory, kOver));
+  EXPECT_EQ(tubes.tube_of("a", plan("a").trajectory, kOver)->radius.size(), 10u);
+  EXPECT_FALSE(tubes.tube_of("none", plan("none").trajectory, kOver));
+  EXPECT_FALSE(tubes.tube_of("b", plan("b").trajectory, kOver));
+  EXPECT_NE(support::refusal_of([&] {
+              tubes.require_tube("b", plan("b").trajectory, kOver);
+            }).find("found none of \"b\""),
+            std::string::npos);
 }
 
 TEST(TubeReports, RefuseTheTubeOfAnother) {

@@ -30,6 +30,21 @@ TEST(Submission, ComesBackAsItWasWritten) {
   }
 }
 
+traj::TubeClaim tube() {
+  return {traj::TubeKind::proved, 0.031, 0.4, traj::ControlLaw::geometric,
+          traj::Disturbances{.gust_most = 0.5}};
+}
+
+TEST(Submission, NamesTheTubesThatItsVolumesHold) {
+  traj::Submission out = submission();
+  out.method.tubes = traj::SourceFile{"proved.jsonl", "ef"};
+  out.method.risk.geography = traj::GeographyRule::proved_tube;
+  const std::string text = traj::to_json_line(out);
+  EXPECT_NE(text.find(R"("tubes":{"name":"proved.jsonl","sha256":"ef"})"), std::string::npos);
+  EXPECT_NE(text.find("the simulated vehicle in its proved tube"), std::string::npos);
+  EXPECT_EQ(traj::to_json_line(traj::read_submission(text, "s")), text);
+}
+
 TEST(Submission, IsRefusedWithoutWhatItNeeds) {
   EXPECT_THROW(traj::read_submission("{}", "s"), geom::InputError);
   EXPECT_THROW(traj::read_submission(R"({"type":"submission","made_by":"x"})", "s"),
@@ -44,6 +59,38 @@ TEST(FlightClaims, ComeBackAsTheyWereWritten) {
   claims.people_unknown = 1;
   const std::string text = traj::to_json_line(claims);
   EXPECT_EQ(traj::to_json_line(traj::parse_flight_claims(text, "c", 1)), text);
+}
+
+TEST(FlightClaims, ComeBackWithTheirTube) {
+  traj::FlightClaims claims{.id = "q1", .kind = "trajectory", .volumes = "v", .risk = "r"};
+  claims.tube = tube();
+  const std::string text = traj::to_json_line(claims);
+  EXPECT_EQ(traj::to_json_line(traj::parse_flight_claims(text, "c", 1)), text);
+  for (const auto& [part, other] : {std::pair("\"largest\":0.031", "\"largest\":-1"),
+                                    {"\"kind\":\"proved\"", "\"kind\":\"sure\""},
+                                    {"\"gust_most\":0.5,", ""},
+                                    {"\"gust_most\":0.5", "\"gust_most\":0.5,\"rain\":1"}}) {
+    std::string changed = text;
+    changed.replace(changed.find(part), std::string_view(part).size(), other);
+    EXPECT_THROW(traj::parse_flight_claims(changed, "c", 1), geom::InputError) << other;
+  }
+}
+
+// What is simulated, believed and assumed stands on the page.
+TEST(SummaryPage, SaysWhatATubeIs) {
+  traj::Submission out = submission();
+  out.method.tubes = traj::SourceFile{"proved.jsonl", "ef"};
+  out.method.buffer = 2;
+  traj::FlightClaims claims{.id = "q1", .kind = "trajectory", .begins = "2026-05-04T06:30:00Z"};
+  claims.tube = tube();
+  const traj::Operation operation{.by = {"Ann", "AUT1"}, .lost_link = "returns"};
+  const std::string html = traj::summary_page(operation, out, {&claims, 1});
+  for (const char* part : {"a tube of at most 0.031 m", "the simulated vehicle never leaves it",
+                           "gusts towards at most 0.5 m/s", "or strays 2 m more.", "proved.jsonl",
+                           "does not prove them again"}) {
+    EXPECT_NE(html.find(part), std::string::npos) << part;
+  }
+  EXPECT_EQ(html.find("by no more than the margin"), std::string::npos);
 }
 
 TEST(SummaryPage, SaysWhoFliesAndWhatIsNotProved) {

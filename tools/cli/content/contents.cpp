@@ -75,11 +75,18 @@ class Records {
       out_.together.push_back({traj::parse_together_record(text, source_, line), source_, line});
     } else if ((type == "report" || type == "flight") && kinds_.reports) {
       out_.reports.push_back({traj::parse_report_record(text, source_, line), source_, line});
+      if (type == "flight") add_tube(text, line);
     } else if (type == "contingency" && kinds_.contingencies) {
       out_.contingencies.push_back(
           {traj::parse_contingency_record(text, source_, line), source_, line});
     } else {
       fields.refuse({.expected = kinds_.expected, .found = geom::in_quotes(type)});
+    }
+  }
+
+  void add_tube(const std::string& text, std::size_t line) {
+    if (auto tube = traj::parse_tube(text, source_, line)) {
+      out_.tubes.push_back({*std::move(tube), source_, line});
     }
   }
 

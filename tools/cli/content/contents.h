@@ -20,6 +20,7 @@
 #include "traj/record/pair_summary.h"
 #include "traj/record/report_record.h"
 #include "traj/record/trajectory_record.h"
+#include "traj/record/tube_record.h"
 
 namespace cli {
 
@@ -43,6 +44,7 @@ struct Contents {
   std::vector<Read<traj::PairSummary>> pairs;         // beside the reports: flights held against
   std::vector<Read<traj::TogetherSummary>> together;  // one another
   std::vector<Read<traj::ContingencyRecord>> contingencies;
+  std::vector<Read<traj::TubeRecord>> tubes;  // of the reports of simulated flights
 };
 
 // What is taken beside paths, trajectories, trees and flights: not every picture shows all.

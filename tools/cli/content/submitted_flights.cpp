@@ -33,7 +33,11 @@ traj::Flier flier_of(const traj::SubmissionMethod& method,
 
 SubmittedFlights::SubmittedFlights(geom::Scenes& scenes, const traj::SubmissionMethod& method,
                                    const MethodFiles& files)
-    : scenes_(scenes), method_(method), flier_(flier_of(method, files.params)) {
+    : scenes_(scenes),
+      method_(method),
+      flier_(flier_of(method, files.params)),
+      tubes_(files.tubes),
+      bare_(scenes.map(), {}, geom::Differences::refused, scenes.budget()) {
   placement_.origin = method.origin;
   placement_.geoid = method.geoid;
   placement_.ground = method.ground;
@@ -55,13 +59,26 @@ SubmittedFlight SubmittedFlights::of_record(const std::string& text, const std::
   const traj::TrajectoryRecord record = traj::read_trajectory_record(fields);
   SubmittedFlight out;
   out.scene = scenes_.shared_scene_for(record.provenance, source, line);
+  std::shared_ptr<const geom::CollisionScene> bare;
+  std::optional<traj::SubmittedTubes> tubes;
+  if (tubes_) {
+    geom::Provenance room = geom::provenance_of(*out.scene);
+    room.margin = 0;
+    bare = bare_.shared_scene_for(room, source, line);
+    tubes.emplace(*tubes_, *bare);
+  }
   out.flight = std::make_unique<traj::SubmittedTrajectory>(*out.scene, record, method_, flier_,
-                                                           source, line);
+                                                           source, line, tubes);
   return out;
 }
 
 std::vector<SubmittedFlight> SubmittedFlights::of_mission(const std::string& text,
                                                           const std::string& source) const {
+  if (tubes_) {
+    throw geom::InputError(source, {.expected = "trajectories alone, which proved tubes are of",
+                                    .found = "a mission",
+                                    .advice = "leave --tube or the mission out"});
+  }
   traj::MissionReading reading;
   reading.placement = placement_;
   reading.rules.return_height = method_.return_height;

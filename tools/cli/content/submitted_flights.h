@@ -25,6 +25,7 @@ struct SubmittedFlight {
 struct MethodFiles {
   std::optional<std::string> params = {};
   std::optional<std::string> geoid_grid = {};
+  const traj::TubeReports* tubes = nullptr;  // those of the method; must outlive what reads them
 };
 inline constexpr const char* kParamsFile = "autopilot.params";
 inline constexpr const char* kGeoidFile = "geoid.gtx";
@@ -51,7 +52,12 @@ class SubmittedFlights {
   const traj::SubmissionMethod& method_;
   traj::Flier flier_;
   traj::Placement placement_;
+  const traj::TubeReports* tubes_;
+  mutable geom::Scenes bare_;  // without a margin, for tubes
 };
+
+// The file of a folder with the proved tubes of its trajectories.
+inline constexpr const char* kTubesFile = "tubes.jsonl";
 
 // The files of a flight in a folder, by its id.
 std::string volumes_file(const std::string& name);

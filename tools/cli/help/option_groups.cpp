@@ -20,7 +20,7 @@ constexpr Group kGroups[] = {
     {"Input",
      "--queries --reference --set --length=METRES --from --to --format --file-format --paths-csv "
      "--paths plan--home --home-local --contingencies --lattice --roadmap --old-map --patch --map "
-     "--plan check--tube --moving --home-place --operation --population --between "
+     "--plan check--tube export--tube submit--tube --moving --home-place --operation --population --between "
      "--alternatives --others --planner-cmd=COMMAND --frames view--poses --epoch=INSTANT "
      "--departure=SECONDS --id=NAME --terrain --where=SQL --height-attribute=NAME "
      "--types=TYPE,... --label-by --model-path=FOLDER --without=NAME --fence --keep-out "

@@ -2,7 +2,7 @@
 
 function makeLayers() {
   const card = byId("layers");
-  const body = element("div", {}, boxLayer(), roomLayer(), pathLayer(), motionLayer(), homeLayer(), checkLayer(),
+  const body = element("div", {}, boxLayer(), roomLayer(), pathLayer(), motionLayer(), tubeLayer(), homeLayer(), checkLayer(),
     stage.parts.corridors.map(corridorLayer),
     stage.parts.trees.map(treeLayer), stage.parts.lattices.map(latticeLayer));
   const fold = element("button", { type: "button", class: "quiet", "aria-expanded": "true",
@@ -195,6 +195,22 @@ function homeLayer() {
   return layer("Ways home", shareWords(share), stage.homeWay.object, [element("ul", { class: "keys" }, keys.map(([kind, look, words]) =>
     element("li", {}, swatch(`var(--${homeColours[kind]})`, look), element("span", {}, words))),
   element("li", {}, element("b", { class: "swatch-h" }, "H"), element("span", {}, "where it lands"))), now]);
+}
+
+// Where the simulated vehicles may be: what is proved is never mixed up with statistics.
+function tubeLayer() {
+  const { tubes } = stage.parts;
+  if (!tubes.length) return null;
+  const proved = tubes.filter(t => t.proved), others = tubes.filter(t => !t.proved);
+  const widest = list => `${decimals(1000 * Math.max(...list.map(t => t.largest)), 1)}${thinSpace}mm at most`;
+  const key = (list, colour, words) => (list.length ? element("li", {}, swatch(`var(--${colour})`),
+    element("span", {}, words), element("span", { class: "note soft" }, widest(list))) : null);
+  const said = [...new Set(tubes.map(t => t.data.words.replace(/^[^,]*, /, "")))].slice(0, 3);
+  return layer(tubes.length === 1 ? "Tube" : "Tubes", proved.length === tubes.length ? "proved" : others.length === tubes.length
+    ? "statistics" : `${proved.length} proved, ${others.length} statistics`, stage.tubeGroup, [
+    element("ul", { class: "keys" }, key(proved, "good", "proved"), key(others, "fourth", "statistics, not proved")),
+    said.map(words => element("p", { class: "soft" }, `${words[0].toUpperCase()}${words.slice(1)}.`)),
+    element("p", { class: "soft" }, "Around the vehicle's reference point, to scale.")]);
 }
 
 function checkLayer() {

@@ -69,6 +69,9 @@ class Stage {
       this.fleet = new Fleet(motions);
       this.motionGroup.add(this.fleet.object);
     } else for (const motion of motions) this.addMotion(motion);
+    this.tubeGroup = this.add(new THREE.Group());
+    parts.tubes = together ? [] : motions.filter(m => m.data.tube).map(m => new Tube(m));
+    for (const tube of parts.tubes) this.tubeGroup.add(tube.object);
     if (homes.size) {
       this.homeLines = new HomeLines();
       this.motionGroup.add(this.homeLines.object);

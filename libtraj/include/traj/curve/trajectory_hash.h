@@ -1,7 +1,6 @@
 #pragma once
 
-// Identifies a trajectory by its numbers, so that what was found out about one is not used for
-// another.
+// Identifies a trajectory by its numbers, for what was found out about it alone.
 //
 // Example:
 //   traj::Trajectory other = trajectory;

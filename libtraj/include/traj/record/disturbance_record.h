@@ -3,10 +3,8 @@
 // The disturbances that a tube is proved for, as members of a record and in words.
 //
 // Example:
-//   geom::JsonLine line;
-//   add(line, traj::Disturbances{.wind_spread = 0.2, .gust_most = 0.5});
-//   const geom::JsonFields fields(line.object(), "tube.jsonl", 1);
-//   assert(traj::read_disturbances(fields).gust_most == 0.5);
+//   const traj::Disturbances windy{.wind = {2, 0, 0}, .wind_spread = 0.2, .gust_most = 0.5};
+//   assert(traj::in_words(windy).starts_with("a mean wind within 0.2 m/s of [2, 0, 0] m/s"));
 
 #include <array>
 #include <string>
@@ -27,15 +25,17 @@ struct DisturbanceRange {
   double Disturbances::*value;
   double least = 0;  // closed
   double most = 0;
+  std::string_view share_of = {};  // where it is a share of what is believed: of what
 };
 inline constexpr std::array kDisturbanceRanges{
     DisturbanceRange{"wind_spread", &Disturbances::wind_spread, 0, 1e3},
     DisturbanceRange{"gust_most", &Disturbances::gust_most, 0, 1e3},
     DisturbanceRange{"gust_lag", &Disturbances::gust_lag, 1e-6, 1e6},
-    DisturbanceRange{"mass_error", &Disturbances::mass_error, 0, 0.5},
-    DisturbanceRange{"drag_error", &Disturbances::drag_error, 0, 0.5},
-    DisturbanceRange{"motor_lag_error", &Disturbances::motor_lag_error, 0, 0.5},
-    DisturbanceRange{"inertia_error", &Disturbances::inertia_error, 0, 0.5},
+    DisturbanceRange{"mass_error", &Disturbances::mass_error, 0, 0.5, "a mass"},
+    DisturbanceRange{"drag_error", &Disturbances::drag_error, 0, 0.5, "drag"},
+    DisturbanceRange{"motor_lag_error", &Disturbances::motor_lag_error, 0, 0.5,
+                     "a time constant of the motors"},
+    DisturbanceRange{"inertia_error", &Disturbances::inertia_error, 0, 0.5, "inertia"},
 };
 
 // Adds the members wind and those of kDisturbanceRanges.
@@ -45,7 +45,7 @@ void add(geom::JsonLine& line, const Disturbances& disturbances);
 Disturbances read_disturbances(const geom::JsonFields& fields);
 
 // "a mean wind within 0.2 m/s of [2, 0, 0] m/s (east, north, up), gusts towards at most 0.5 m/s
-// with a lag of 1 s, a mass within 0.5 % of what is believed".
+// with a lag of 1 s, a mass within 0.5 % of what is believed". Tells every range.
 std::string in_words(const Disturbances& disturbances);
 
 }  // namespace traj

@@ -76,6 +76,8 @@ class SimulatedFlights {
 
   // Throws InputError where there is no solved trajectory.
   TuneResult tune(const FlightCost& cost, const geom::Execution& run) const;
+  // For the least proved tube. There must be disturbances. Throws as above.
+  TuneResult tune_tube(const geom::Execution& run) const;
 
   const geom::BoxMap* map() const { return scenes_ ? &scenes_->map() : nullptr; }
 
@@ -92,6 +94,7 @@ class SimulatedFlights {
   void require_vehicle(const Entry& entry) const;
   const geom::CollisionScene& scene_for(const Entry& entry);
   ReferenceTrack track_of(const Entry& entry) const;
+  std::vector<ReferenceTrack> solved_tracks() const;
   void add(const TrajectoryRecord& record, std::size_t line, const LookAt& look_at);
   Flown flown(const Entry& entry) const;
   FlightReport report_of(const Entry& entry, const ReferenceTrack* track, const Flight& flight);

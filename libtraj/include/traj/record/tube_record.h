@@ -17,6 +17,11 @@
 #include "geom/text/words.h"
 #include "traj/tube/prove_tube.h"
 
+namespace geom {
+class JsonFields;
+class JsonLine;
+}  // namespace geom
+
 namespace traj {
 
 // What stands behind a tube: a proof for stated disturbances (docs/tube.md), or many simulated
@@ -32,10 +37,12 @@ struct TubeClaim {
   TubeKind kind = TubeKind::statistics;
   double largest = 0;                             // m
   double tilt = 0;                                // rad: the vehicle tilts no further
+  ControlLaw law = ControlLaw::geometric;         // that flies it
   std::optional<Disturbances> disturbances = {};  // for which it was proved
 };
 
 struct TubeRecord {
+  std::string id = {};  // of the flight
   TubeClaim claim = {};
   std::vector<double> radius = {};   // m, in each period; empty: the proof was refused
   double period = 0;                 // s, > 0
@@ -51,10 +58,14 @@ struct TubeRecord {
 std::optional<TubeRecord> parse_tube(std::string_view json, std::string_view source,
                                      std::size_t line);
 
-// Adds kind, largest, tilt and the disturbances.
+// Adds kind, largest, tilt, the controller and the disturbances.
 void add(geom::JsonLine& line, const TubeClaim& claim);
 
-// "a tube of at most 0.031 m, proved for the simulated vehicle in …" or "a tube of at most 0.05 m,
+// Reads these back. Throws InputError for a member that is missing, cannot be or is not known.
+TubeClaim read_tube_claim(const geom::JsonFields& fields);
+
+// "a tube of at most 0.031 m, proved for the simulated vehicle under the geometric controller in …"
+// or "a tube of at most 0.05 m,
 // from statistics and not proved".
 std::string in_words(const TubeClaim& claim);
 

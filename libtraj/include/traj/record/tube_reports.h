@@ -6,17 +6,25 @@
 //   std::istringstream file(R"({"type":"flight","id":"q1",)"
 //                           R"("monte_carlo":{"tube":{"period":0.1,"radius":[0.2]}}})");
 //   const auto tubes = traj::TubeReports::read(file, "flights.jsonl");
-//   const traj::TrajectoryRecord other{.id = "q2"};
-//   assert(!tubes.tube_of(other, {}));
+//   assert(!tubes.tube_of("q2", trajectory, {}));
 
 #include <istream>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 
-#include "traj/record/trajectory_record.h"
+#include "geom/base/error.h"
+#include "traj/curve/trajectory.h"
 #include "traj/record/tube_record.h"
 
 namespace traj {
+
+// Nothing where a tube is of this trajectory: by its hash (which a proved tube has), axes, vehicle
+// and duration; and where its proof was not refused. Else what is wrong. `over` has the axes of the
+// trajectory and the vehicle that flies it, where they are known.
+std::optional<geom::Fault> why_not_of(const TubeRecord& tube, const Trajectory& trajectory,
+                                      const geom::Provenance& over);
 
 class TubeReports {
  public:
@@ -24,11 +32,13 @@ class TubeReports {
   // for a second tube of one id.
   static TubeReports read(std::istream& in, const std::string& source);
 
-  // The tube of a solved trajectory; null where no report has its id. `over` has the axes of the
-  // trajectory and the vehicle that flies it, where they are known. Throws InputError (the report's
-  // source and line, …) for a proof that was refused, and for a tube of another trajectory (by its
-  // hash, which a proved tube has), axes, vehicle or duration.
-  const TubeRecord* tube_of(const TrajectoryRecord& record, const geom::Provenance& over) const;
+  // The tube of the trajectory of an id; null where no report has it. Throws InputError (the
+  // report's source and line, …) for what why_not_of() tells.
+  const TubeRecord* tube_of(std::string_view id, const Trajectory& trajectory,
+                            const geom::Provenance& over) const;
+  // The same; throws InputError where there is none.
+  const TubeRecord& require_tube(std::string_view id, const Trajectory& trajectory,
+                                 const geom::Provenance& over) const;
 
   const std::string& source() const { return source_; }
   bool empty() const { return tubes_.empty(); }
@@ -38,10 +48,6 @@ class TubeReports {
     std::size_t line = 0;
     TubeRecord tube;
   };
-  void require_same(const Entry& entry, const TrajectoryRecord& record,
-                    const geom::Provenance& over) const;
-  void require_whole(const Entry& entry, double duration) const;
-
   std::string source_;
   std::map<std::string, Entry, std::less<>> tubes_;  // by id
 };

@@ -45,6 +45,9 @@ std::string in_words(const ReportRecord& report, const geom::BoxMap& map);
 // vehicle meets obstacle 7, near …".
 std::string in_words(const ReturnGap& gap, const geom::BoxMap& map);
 
+// Why the map is not clear with a tube around a trajectory that was made for `over`.
+std::string in_words(const TubeReport& tube, geom::Provenance over, const geom::BoxMap& map);
+
 // Of a simulated flight, over `map` where there is one.
 std::string in_words(const FlightReport& report, const geom::BoxMap* map);
 

@@ -32,7 +32,13 @@ enum class BufferRule { one_to_one, ballistic };
 inline constexpr geom::Words<BufferRule, 2> kBufferWords{
     {{BufferRule::one_to_one, "1:1"}, {BufferRule::ballistic, "ballistic"}}};
 
+// What the flight geography holds around the way: the margin, or the proved tube of the flight.
+enum class GeographyRule { margin, proved_tube };
+inline constexpr geom::Words<GeographyRule, 2> kGeographyWords{
+    {{GeographyRule::margin, "margin"}, {GeographyRule::proved_tube, "proved tube"}}};
+
 struct RiskRules {
+  GeographyRule geography = GeographyRule::margin;
   ContingencyRule contingency = ContingencyRule::stop;
   BufferRule buffer = BufferRule::one_to_one;
   double dimension = 0;              // m: CD, the largest between two points of the vehicle

@@ -21,10 +21,20 @@
 #include "traj/flight/energy.h"
 #include "traj/mission/formats/flier.h"
 #include "traj/proof/limits.h"
+#include "traj/record/tube_record.h"
 #include "traj/submit/risk_rules.h"
 #include "traj/together/check_together.h"
 
 namespace traj {
+
+// A file that a claim rests on, by the name that it has outside of the folder.
+struct SourceFile {
+  std::string name;
+  std::string sha256;
+  std::string date = {};  // as the file says; may be empty
+
+  friend bool operator==(const SourceFile&, const SourceFile&) = default;
+};
 
 // What was asked for, the same for all flights. Whoever checks the folder derives it all again.
 struct SubmissionMethod {
@@ -48,6 +58,7 @@ struct SubmissionMethod {
   std::optional<std::string> begins;      // of missions, which have no times: the first instant
   std::optional<std::string> ends;        // and the last
   std::optional<TogetherRule> together;   // by which trajectories are compared; exact
+  std::optional<SourceFile> tubes;  // whose proved tubes take the place of the margin in volumes
 };
 
 // How many pairs that come too near a folder names.
@@ -60,15 +71,6 @@ struct FlightPairs {
   std::vector<std::array<std::string, 2>> named;  // ids of the first of these
 
   friend bool operator==(const FlightPairs&, const FlightPairs&) = default;
-};
-
-// A file that a claim rests on and that is not in the folder.
-struct SourceFile {
-  std::string name;
-  std::string sha256;
-  std::string date = {};  // as the file says; may be empty
-
-  friend bool operator==(const SourceFile&, const SourceFile&) = default;
 };
 
 // The files of zones of airspace that a map's history names, by name and hash.
@@ -101,6 +103,7 @@ struct FlightClaims {
   std::string ends;
   double duration = 0;                   // s; of missions an estimate
   std::optional<double> clearance = {};  // m: the least distance to an obstacle
+  std::optional<TubeClaim> tube = {};    // in place of the margin in its volumes
   double speed = 0;                      // m/s: the limit that the flight keeps
   double top = 0;                        // m above the floor: the highest of its geography
   ContingencySize contingency = {};

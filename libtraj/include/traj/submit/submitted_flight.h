@@ -23,6 +23,7 @@
 #include "traj/mission/airspace/held.h"
 #include "traj/mission/read_mission.h"
 #include "traj/record/report_record.h"
+#include "traj/record/tube_reports.h"
 #include "traj/submit/risk_volumes.h"
 #include "traj/submit/submission.h"
 
@@ -68,12 +69,20 @@ class SubmittedFlight {
   std::optional<FlightReturn> return_;  // where its volumes are to be ways home
 };
 
+// The proved tubes of trajectories, and the scene of the vehicle without a margin.
+struct SubmittedTubes {
+  const TubeReports& tubes;
+  const geom::CollisionScene& scene;
+};
+
 class SubmittedTrajectory : public SubmittedFlight {
  public:
-  // Checks it in exact numbers too. Throws geom::InputError(source, line, …) as check_record().
+  // Checks it in exact numbers too. With `tubes`, its volumes hold the vehicle in its proved tube,
+  // which must be clear of the map, in place of the margin. Throws geom::InputError(source, line,
+  // …) as check_record() and check_as_geography().
   SubmittedTrajectory(const geom::CollisionScene& scene, const TrajectoryRecord& record,
                       const SubmissionMethod& method, const Flier& flier, std::string_view source,
-                      std::size_t line);
+                      std::size_t line, const std::optional<SubmittedTubes>& tubes = {});
 
   geom::IntentVolumes intent() const override;
   std::optional<std::string> why_not_held(const geom::IntentVolumes& intent) const override;

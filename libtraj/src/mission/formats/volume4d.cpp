@@ -7,6 +7,8 @@
 #include "geom/base/usage_error.h"
 #include "traj/mission/airspace/flight_volumes.h"
 #include "traj/mission/formats/mission_formats.h"
+#include "traj/record/check_in_tube.h"
+#include "traj/record/verdict.h"
 
 namespace traj {
 namespace {
@@ -34,24 +36,38 @@ geom::GeodeticOrigin origin_of(const MissionTask& task) {
       "latitude,longitude,height");
 }
 
-FlightOnEarth on_earth(const geom::CollisionScene& scene, const MissionTask& task) {
+// `half`: what holds the vehicle around its reference point, m in the map's axes.
+FlightOnEarth on_earth(const Vec3& half, const MissionTask& task) {
   return {{&task.enu, *task.flight->time.start,
-           geom::to_enu(task.frame.axes, Vec3(scene.half())).cwiseAbs() +
-               Vec3::Constant(task.options.buffer)},
+           geom::to_enu(task.frame.axes, half).cwiseAbs() + Vec3::Constant(task.options.buffer)},
           *task.flight->time.epoch,
           origin_of(task)};
 }
 
+// The tube that is to be flown in, over the map without any margin.
+std::optional<TubeReport> tube_of(const geom::CollisionScene& scene, const MissionTask& task) {
+  if (!task.options.tubes) return std::nullopt;
+  const geom::CollisionScene bare(scene.map(), scene.vehicle(), 0);
+  return check_as_geography(bare, task.flight->id, task.flight->trajectory, *task.options.tubes);
+}
+
 // The details of an operational intent (ASTM F3548) for a flight that is clear of the map and
-// within its limits: volumes that hold the vehicle with its margin and the buffer at every instant,
-// read back from the text.
+// within its limits: volumes that hold the vehicle with its margin, or its proved tube, and the
+// buffer at every instant, read back from the text.
 MissionProof prove(const geom::CollisionScene& scene, const MissionTask& task) {
-  const FlightOnEarth flight = on_earth(scene, task);
+  const auto tube = tube_of(scene, task);
+  const FlightOnEarth flight =
+      on_earth(tube ? geography_half(scene.vehicle(), *tube) : scene.half(), task);
   CheckOptions options;
   options.limits = task.limits;
   options.clearance = Clearance::left_out;
   MissionProof proof{{}, check(scene, task.flight->trajectory, options)};
   if (!proof.result.ok) return proof;
+  if (tube && !tube->check.clear) {
+    proof.refusal = in_words(*tube, geom::provenance_of(scene), scene.map());
+    return proof;
+  }
+  if (tube) proof.written.note = "its volumes hold " + in_words(tube->claim);
   const std::string& id = task.flight->id;
   for (const Segment& s : task.enu.segments) {
     require_near_origin({s.point.begin(), s.point.end()}, flight.origin, id);

@@ -9,6 +9,7 @@
 //   assert(traj::speed_limit({{traj::Limit::speed, 8}}) == 8);
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@
 namespace traj {
 
 struct MissionFormat;
+class TubeReports;
 
 // What may be asked of a file. A format takes heed of what MissionFormat::writes_with has.
 struct ExportOptions {
@@ -38,7 +40,9 @@ struct ExportOptions {
   std::optional<double> turns = {};  // m of a DJI mission's turns without a stop
   std::size_t volumes = 8;           // of airspace, at most
   double buffer = 0;                 // m around the vehicle and its margin, of volumes of airspace
-  bool says_when = false;            // a file beside this one says when the flight begins
+  // Tubes that volumes of airspace hold in place of the margin: the proved one of the trajectory.
+  std::shared_ptr<const TubeReports> tubes = {};
+  bool says_when = false;                  // a file beside this one says when the flight begins
   std::vector<GeodeticFence> fences = {};  // of a mission
   std::vector<Vec3> rally = {};            // likewise, in the air, in the map's axes
 };

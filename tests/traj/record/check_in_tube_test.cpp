@@ -1,4 +1,4 @@
-#include "traj/check/check_tube_record.h"
+#include "traj/record/check_in_tube.h"
 
 #include <gtest/gtest.h>
 
@@ -16,54 +16,53 @@ const geom::CollisionScene& scene() {
   return out;
 }
 
-TrajectoryRecord flight() {
-  TrajectoryRecord out;
-  out.id = "a";
-  out.trajectory = testing::line({3, 0, 0}, 2);
-  for (Vec3& p : out.trajectory.segments[0].point) p.z() += 5;
+Trajectory flight() {
+  Trajectory out = testing::line({3, 0, 0}, 2);
+  for (Vec3& p : out.segments[0].point) p.z() += 5;
   return out;
 }
 
 TubeRecord tube(double radius, double tilt = 0) {
   TubeRecord out{.radius = std::vector<double>(20, 0.1), .period = 0.1};
   out.radius[11] = radius;
-  out.claim = {TubeKind::proved, radius, tilt, Disturbances{.gust_most = 0.5}};
+  out.claim = {TubeKind::proved, radius, tilt, ControlLaw::geometric,
+               Disturbances{.gust_most = 0.5}};
   return out;
 }
 
-TEST(CheckTubeRecord, HoldsTheMapAgainstTheTube) {
-  EXPECT_TRUE(check_in_tube(scene(), flight(), tube(0.99), {}).check.clear);
-  const TubeReport report = check_in_tube(scene(), flight(), tube(1), {});
+TEST(CheckInTube, HoldsTheMapAgainstTheTube) {
+  EXPECT_TRUE(check_in_tube(scene(), "a", flight(), tube(0.99), {}).check.clear);
+  const TubeReport report = check_in_tube(scene(), "a", flight(), tube(1), {});
   EXPECT_FALSE(report.check.clear);
   EXPECT_EQ(report.check.reason, Reason::collision);
   EXPECT_NEAR(report.check.time, 1.1, 0.011);
 }
 
-TEST(CheckTubeRecord, CountsTheTiltThatTheTubeStates) {
+TEST(CheckInTube, CountsTheTiltThatTheTubeStates) {
   geom::Vehicle vehicle{"quad", geom::attitude_half_sizes({0.5, 0.5, 0.1}, 0)};
   vehicle.limits[geom::Limit::tilt] = 0;
   const geom::CollisionScene quad(scene().map(), vehicle, 0);
   const Vec3 body(0.5, 0.5, 0.1);
-  EXPECT_TRUE(check_in_tube(quad, flight(), tube(0.2, 0), body).check.clear);
+  EXPECT_TRUE(check_in_tube(quad, "a", flight(), tube(0.2, 0), body).check.clear);
   // 0.707 m of half a body, and 0.06 m more at this tilt
-  EXPECT_TRUE(check_in_tube(quad, flight(), tube(0.285, 0), body).check.clear);
-  EXPECT_FALSE(check_in_tube(quad, flight(), tube(0.285, 0.1), body).check.clear);
+  EXPECT_TRUE(check_in_tube(quad, "a", flight(), tube(0.285, 0), body).check.clear);
+  EXPECT_FALSE(check_in_tube(quad, "a", flight(), tube(0.285, 0.1), body).check.clear);
   const std::string why =
-      support::refusal_of([&] { check_in_tube(quad, flight(), tube(0.2, 0.1), {}); });
+      support::refusal_of([&] { check_in_tube(quad, "a", flight(), tube(0.2, 0.1), {}); });
   EXPECT_NE(why.find("found one of 5.73"), std::string::npos) << why;
 }
 
-TEST(CheckTubeRecord, IsPartOfTheVerdict) {
+TEST(CheckInTube, IsPartOfTheVerdict) {
   ReportRecord report{.id = "a", .checked = "trajectory"};
   report.result.ok = true;
   report.result.duration = 2;
-  report.tube = check_in_tube(scene(), flight(), tube(0.5), {});
+  report.tube = check_in_tube(scene(), "a", flight(), tube(0.5), {});
   EXPECT_TRUE(accepted(report));
   EXPECT_NE(in_words(report, scene().map()).find("clear with a tube of at most 0.5 m, proved for "),
             std::string::npos);
   report.tube->claim.kind = TubeKind::statistics;
   EXPECT_EQ(in_words(report, scene().map()).find("proved for"), std::string::npos);
-  report.tube = check_in_tube(scene(), flight(), tube(1.5), {});
+  report.tube = check_in_tube(scene(), "a", flight(), tube(1.5), {});
   EXPECT_FALSE(accepted(report));
   EXPECT_EQ(verdict_word(report), "tube");
   const std::string why = in_words(report, scene().map());

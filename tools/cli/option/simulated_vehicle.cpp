@@ -1,0 +1,177 @@
+#include "simulated_vehicle.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/answer/exit.h"
+#include "cli/file/files.h"
+#include "cli/option/numbers_option.h"
+#include "cli/option/option_check.h"
+#include "cli/option/word_for.h"
+#include "geom/text/json_fields.h"
+#include "traj/flight/gains_record.h"
+
+namespace cli {
+namespace {
+
+traj::Gains gains_from(const std::string& word, const traj::Gains& own) {
+  if (word.empty()) return own;
+  if (const auto preset = traj::preset_gains(word, own)) return *preset;
+  if (!word.ends_with(".json")) {
+    throw UsageError(
+        fmt::format("--gains: expected stack-a, stack-b or FILE.json, found \"{}\"", word));
+  }
+  InputFile file(word);
+  const geom::JsonFields fields(file.read_all(), word, 0);
+  if (!fields.has("gains")) fields.refuse({.expected = "the key \"gains\"", .found = "none"});
+  return traj::parse_gains(fields, own);
+}
+
+// East, north, up, m/s.
+geom::Vec3 wind_from(const std::string& text) {
+  const auto v = parse_numbers(text, 3);
+  if (v && std::abs((*v)[0]) <= 100 && std::abs((*v)[1]) <= 100 && std::abs((*v)[2]) <= 100) {
+    return {(*v)[0], (*v)[1], (*v)[2]};
+  }
+  throw UsageError(
+      fmt::format("--wind: expected east,north,up in m/s within 100, found \"{}\"", text));
+}
+
+}  // namespace
+
+int whole_milliseconds(const char* flag, double seconds) {
+  const double count = seconds * 1e3;
+  if (std::abs(count - std::round(count)) > 1e-6) {
+    throw UsageError(
+        fmt::format("{}: expected a whole number of milliseconds, found {} s", flag, seconds));
+  }
+  return static_cast<int>(std::lround(count));
+}
+
+void SimulatedVehicleOptions::add_to(CLI::App& app) {
+  app.add_option("--gains", gains,
+                 "stack-a, stack-b, or FILE.json with \"gains\" (default: the vehicle's)");
+  app.add_option("--feed-forward", feed_forward, "none, velocity or full, whatever the gains say")
+      ->check(CLI::IsMember({"none", "velocity", "full"}));
+  add_word(app, "--controller", controller, traj::kControlLawWords,
+           "cascade (PX4's structure) or geometric (Lee 2010)");
+  app.add_option("--loop-period", step,
+                 "period of the position, velocity and attitude loops, s (default: 0.01 and 0.004)")
+      ->check(CLI::Range(0.001, 0.1));
+  app.add_option("--wind", wind, "velocity of the air, east, north, up, m/s")->type_name("E,N,U");
+  app.add_option(
+         "--mass-error", mass_error,
+         "the true mass is larger than believed by this share; of runs and proved tubes, by "
+         "up to this share either way")
+      ->check(CLI::Range(-0.9, 10.0));
+  app.add_option("--hover-time", hover, "hovering before the start, s (default: 3)")
+      ->check(CLI::Range(0.0, 600.0));
+  app.add_option("--settle", settle, "hovering after the end, s (default: 3)")
+      ->check(CLI::Range(0.0, 600.0));
+  app.add_option("--wind-spread", wind_spread,
+                 "with --proved-tube: the mean wind is within this of --wind, m/s (default: 0)")
+      ->check(CLI::Range(0.0, 50.0));
+  app.add_option("--gust-most", gust_most,
+                 "with --proved-tube: what gusts run towards is at most this, m/s (default: 0)")
+      ->check(CLI::Range(0.0, 50.0));
+  app.add_option("--gust-lag", gust_lag,
+                 "with --proved-tube: the time constant of gusts, s (default: 1)")
+      ->check(CLI::Range(0.01, 1000.0));
+  app.add_option("--drag-error", drag_error,
+                 "with --proved-tube: the drag is within this share of the profile's (default: 0)")
+      ->check(CLI::Range(0.0, 0.5));
+  app.add_option("--motor-lag-error", motor_lag_error,
+                 "with --proved-tube: the motors' time constant is within this share of the "
+                 "profile's (default: 0)")
+      ->check(CLI::Range(0.0, 0.5));
+  app.add_option("--inertia-error", inertia_error,
+                 "with --proved-tube: the inertia about each axis is within this share of the "
+                 "profile's (default: 0)")
+      ->check(CLI::Range(0.0, 0.5));
+}
+
+void SimulatedVehicleOptions::refuse_idle(const CLI::App& app, bool flies,
+                                          std::string_view to_what) {
+  only_for(app, flies,
+           {"--gains", "--feed-forward", "--controller", "--loop-period", "--wind", "--mass-error",
+            "--hover-time", "--settle", "--wind-spread", "--gust-most", "--gust-lag",
+            "--drag-error", "--motor-lag-error", "--inertia-error"},
+           to_what);
+}
+
+void SimulatedVehicleOptions::refuse_idle_disturbances(const CLI::App& app, bool proves) {
+  only_for(app, proves,
+           {"--wind-spread", "--gust-most", "--gust-lag", "--drag-error", "--motor-lag-error",
+            "--inertia-error"},
+           "--proved-tube");
+}
+
+traj::FlightOptions SimulatedVehicleOptions::flight(const traj::VehicleProfile& profile) const {
+  const auto quadrotor = traj::quadrotor_of(profile.airframe);
+  if (!quadrotor) {
+    throw UsageError(
+        "--vehicle: flight needs a FILE.json with mass_kg, inertia_kg_m2, motor_time_constant_s, "
+        "thrust_n, motor_arm_m and torque_per_thrust_m (data/vehicles has some)");
+  }
+  traj::FlightOptions out;
+  out.quadrotor = *quadrotor;
+  out.gains = gains_from(gains, *profile.airframe.gains);
+  if (!feed_forward.empty()) {
+    const double full = feed_forward == "full";
+    out.gains.feed_forward = {feed_forward == "none" ? 0.0 : 1.0, full, full};
+  }
+  out.law = controller;
+  if (step > 0) {
+    const int period = whole_milliseconds("--loop-period", step);
+    out.periods = {period, period};
+  }
+  out.mass_error = mass_error;
+  if (!wind.empty()) out.wind.mean = wind_from(wind);
+  out.hover = hover;
+  out.settle = settle;
+  return out;
+}
+
+traj::Disturbances SimulatedVehicleOptions::disturbances(const traj::FlightOptions& flight) const {
+  const auto refuse = [](std::string_view what) {
+    throw UsageError(fmt::format("--proved-tube: {}", what));
+  };
+  const traj::SensorSpec& s = flight.sensors;
+  if (std::max({s.position, s.velocity, s.attitude, s.rates, s.delay}) > 0) {
+    refuse("the proof knows exact sensors: leave out --noise and --delay");
+  }
+  if (flight.wind.gusts > 0) {
+    refuse("Dryden gusts (--gusts) have no bound: say --gust-most and --gust-lag");
+  }
+  if (flight.hover < traj::kStep)
+    refuse("give a --hover-time of at least 0.001: the proof starts at rest");
+  if (flight.periods.attitude > 4) refuse("give a --loop-period of at most 0.004");
+  if (std::abs(mass_error) > 0.5) refuse("give a --mass-error of at most 0.5");
+  const bool geometric = flight.law == traj::ControlLaw::geometric;
+  const traj::PidGains& position = flight.gains.position;
+  if ((geometric ? flight.gains.geometric.position : position.p).minCoeff() <= 0) {
+    refuse("the position gains must be above 0");
+  }
+  if (!geometric && !(position.i.isZero(0) && position.d.isZero(0))) {
+    refuse(
+        "under the cascade the proof knows no i and d of the position loop, and these gains have "
+        "some");
+  }
+  const traj::PidGains& velocity = flight.gains.velocity;
+  if (!geometric &&
+      !(velocity.p.minCoeff() > 0 && velocity.i.minCoeff() >= 0 && velocity.d.minCoeff() >= 0)) {
+    refuse("the velocity gains must have p above 0, and i and d at least 0");
+  }
+  return {.wind = flight.wind.mean,
+          .wind_spread = wind_spread,
+          .gust_most = gust_most,
+          .gust_lag = gust_lag,
+          .mass_error = std::abs(mass_error),
+          .drag_error = drag_error,
+          .motor_lag_error = motor_lag_error,
+          .inertia_error = inertia_error};
+}
+
+}  // namespace cli

@@ -1,0 +1,24 @@
+#include "tubes.h"
+
+#include <filesystem>
+#include <sstream>
+
+#include "cli/content/submitted_flights.h"
+#include "cli/file/files.h"
+
+namespace submitting {
+
+std::optional<traj::TubeReports> take_tubes(const std::string& path, traj::SubmissionMethod& method,
+                                            SubmissionFolder& folder) {
+  if (path.empty()) return std::nullopt;
+  const std::string text = cli::InputFile(path).read_all();
+  std::istringstream in(text);
+  traj::TubeReports tubes = traj::TubeReports::read(in, path);
+  method.tubes = {std::filesystem::path(path).filename().string(),
+                  traj::listed_file(cli::kTubesFile, text).sha256};
+  method.risk.geography = traj::GeographyRule::proved_tube;
+  folder.add(cli::kTubesFile, text);
+  return tubes;
+}
+
+}  // namespace submitting
