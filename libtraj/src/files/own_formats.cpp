@@ -32,7 +32,8 @@ constexpr Tools kTreeTools = {"skyway-plot", "skyway-view", "skyway-render", "sk
 constexpr Tools kCorridorTools = {"skyway-view", "skyway-map", "skyway-info"};
 constexpr Tools kReportTools = {"skyway-plot", "skyway-view", "skyway-info"};
 constexpr Tools kContingencyTools = {"skyway-check", "skyway-plot", "skyway-view", "skyway-info"};
-constexpr Tools kFlightTools = {"skyway-check", "skyway-view", "skyway-info"};
+constexpr Tools kFlightTools = {"skyway-check", "skyway-export", "skyway-submit",
+                                "skyway-view",  "skyway-plot",   "skyway-info"};
 constexpr Tools kInfo = {"skyway-info"};
 constexpr Tools kQueryTools = {"skyway-plan", "skyway-bench", "skyway-info"};
 constexpr Tools kQueryTableTools = {"skyway-plan", "skyway-bench"};

@@ -294,7 +294,7 @@ def main():
         assert followed.returncode == 0, followed.stdout
         change_files(tubes, where)
         change_tubes(tubes, where)
-        change_values(tubes, where, "submission.json", keep=("volumes",))
+        change_values(tubes, where, "submission.json", keep=("volumes", "drag", "geoid"))  # of missions
         change_values(tubes, where, "claims.jsonl")
         # A page is for looking: the check says that it is not verified.
         mutant = copy(folders[0], where)

@@ -15,9 +15,9 @@ using Rows = CascadeRows;
 ErrorMatrixOf<Rows> hover_of(const CascadeLoop& loop, double yaw) {
   ErrorVectorOf<Rows> middle = ErrorVectorOf<Rows>::Zero();
   middle[2] = 9.80665;
-  middle[Rows::kLightness] = 1;
+  middle.segment<Rows::kStates - Rows::kLightness>(Rows::kLightness).setOnes();
   const ErrorSetOf<Rows> errors({}, ErrorVectorOf<Rows>::Zero());
-  const PeriodSymbolsOf<Rows> symbols(loop.model, errors);
+  const PeriodSymbolsOf<Rows> symbols(loop.model, symbol_sizes(loop.model, errors));
   ErrorMatrixOf<Rows> out = ErrorMatrixOf<Rows>::Identity();
   for (long n = 0; n < 20; n += 4) {
     const CascadeReferences references{std::vector<Reference>(5, Reference{.yaw = yaw}),

@@ -209,7 +209,7 @@ function tubeLayer() {
   return layer(tubes.length === 1 ? "Tube" : "Tubes", proved.length === tubes.length ? "proved" : others.length === tubes.length
     ? "statistics" : `${proved.length} proved, ${others.length} statistics`, stage.tubeGroup, [
     element("ul", { class: "keys" }, key(proved, "good", "proved"), key(others, "fourth", "statistics, not proved")),
-    said.map(words => element("p", { class: "soft" }, `${words[0].toUpperCase()}${words.slice(1)}.`)),
+    ...said.map(words => element("p", { class: "soft" }, `${words[0].toUpperCase()}${words.slice(1)}.`)),
     element("p", { class: "soft" }, "Around the vehicle's reference point, to scale.")]);
 }
 
