@@ -57,6 +57,10 @@ void check_usage(const fly::Options& options, const Inputs& inputs, const cli::S
         "--tune writes gains: it takes neither --runs nor --proved-tube nor --report-file nor "
         "--certificate");
   }
+  if (options.tune && options.proves() && options.flown.controller != traj::ControlLaw::geometric) {
+    throw cli::UsageError(
+        "--tune --cost proved-tube: give --controller geometric, whose gains are looked for");
+  }
   if (options.proved_tube && !reports) {
     throw cli::UsageError(
         "--proved-tube: give --report-file or --certificate, which get the radius");
