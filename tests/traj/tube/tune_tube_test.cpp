@@ -20,7 +20,7 @@ FlightOptions flight_of(std::string_view vehicle) {
 
 TEST(TuneTube, FindsALesserTubeAndTheSameForAnyThreads) {
   const FlightOptions base = flight_of("quad2kg");
-  const std::vector<ReferenceTrack> tracks = {ReferenceTrack(testing::line({0.2, 0.1, 0}, 0.6))};
+  const std::vector<ReferenceTrack> tracks = {ReferenceTrack(testing::line({0.2, 0.1, 0}, 1))};
   const Disturbances gusts{.wind = {1, 0, 0}, .gust_most = 0.3};
   const TuneResult one = tune_tube(tracks, base, gusts, {1, {}}, 2);
   const TuneResult two = tune_tube(tracks, base, gusts, {2, {}}, 2);
