@@ -11,8 +11,7 @@
 namespace cli {
 
 inline constexpr const char* kGeoidGridHelp =
-    "the same from the grid of a geoid: egm96, egm2008, or a file of PROJ (.gtx) or GeographicLib "
-    "(.pgm)";
+    "the same from a grid: egm96, egm2008, or a file (.gtx or .pgm)";
 
 struct NamedGeoidGrid {
   geom::GeoidGrid grid;
