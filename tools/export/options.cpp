@@ -116,7 +116,7 @@ void Options::require_sound(const CLI::App& app) const {
   require_outputs();
   refuse_idle(app, word, unchecked);
   returns.require_sound(app, word, unchecked);
-  cli::only_for(app, word == "volume4d", {"--tube"}, "--format volume4d");
+  cli::only_for(app, !format().write, {"--tube"}, "--format volume4d");
   cli::only_for(app, !show.empty() && !unchecked, cli::kSpacingOptions, "a --show that is checked");
   require_flyable(format(), file.speed);
 }
