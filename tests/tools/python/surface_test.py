@@ -352,7 +352,7 @@ def test_zones_are_read():
     school, hospital, storks = read["zones"]
     assert read["format"] == "ed-318" and read["issued"] == "2026-04-01T00:00:00Z" and not read["warnings"]
     assert school["type"] == "PROHIBITED" and school["volumes"][0]["ring"][0] == (46.9796, 7.4506)
-    assert school["periods"][0]["schedule"][0] == {"days": [0, 1, 2, 3, 4], "begin": (21600.0, 21600.0), "end": (54000.0, 54000.0)}
+    assert school["periods"][0]["schedule"][0] == {"days": [0, 1, 2, 3, 4], "begin": (21600.0, 21601.0), "end": (54000.0, 54001.0)}
     assert hospital["volumes"][0]["radius"] == 60 and hospital["volumes"][0]["upper"] == (400 * 0.3048, "AGL")
     assert hospital["message"] == "Call before you fly" and not hospital["periods"]
     assert storks["volumes"][0]["upper"] == (700, "AMSL") and storks["periods"][0]["schedule"][0]["begin"] == "SR"
