@@ -22,7 +22,6 @@ using Vector = ErrorVectorOf<Rows>;
 using Columns = ErrorColumnsOf<Rows>;
 
 constexpr double kPi = 3.141592653589793;
-constexpr double kSlack = 1e-9;      // as of the geometric controller's proof
 constexpr double kAgreement = 1e-9;  // m, of the middle's flight with the simulator's
 
 class CascadeProof {
@@ -188,7 +187,7 @@ class CascadeProof {
     }
     for (int i = 0; i < Rows::kWind; ++i) {
       middle_[i] = period.middle[i];
-      period.added.box[i] += kSlack;
+      period.added.box[i] += i >= Rows::kSpin && i < Rows::kMissed ? kSpinSlack : kSlack;
     }
     look_at_modes(n, now.at.front().yaw, period.map);
     errors_.advance(period.map, period.added);

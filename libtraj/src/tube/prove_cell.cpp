@@ -13,10 +13,6 @@ namespace traj {
 namespace {
 
 constexpr double kPi = 3.141592653589793;
-// The simulator may differ from the equations by this much in each coordinate and period, in the
-// coordinate's unit (docs/tube.md).
-constexpr double kSlack = 1e-9;
-constexpr double kSpinSlack = 1e-7;  // of angular accelerations, which are larger numbers
 constexpr double kAgreement = 1e-9;  // m, of the middle's flight with the simulator's
 
 class CellProof {

@@ -21,6 +21,11 @@ struct TubeCell {
   std::vector<SpanBounds> bounds;
 };
 
+// The simulator may differ from the equations by so much in each coordinate and period, in the
+// coordinate's unit (docs/tube.md).
+inline constexpr double kSlack = 1e-9;
+inline constexpr double kSpinSlack = 1e-7;  // of angular accelerations, which are larger numbers
+
 struct CellTube {
   std::vector<double> radius;          // m, of each kTubePeriod
   double tilt = 0;                     // rad: it never tilts further
