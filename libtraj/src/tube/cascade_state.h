@@ -60,7 +60,8 @@ struct CascadeRows {
   static constexpr int kind_of_named(int k) { return k < 3 ? k : k < 15 ? 3 + k % 3 : 6 + k % 3; }
   static constexpr std::size_t kOldest = 12;  // halves of a second, before terms become a box
   static constexpr int kVelocity = 3;
-  static constexpr int kSpin = 13;  // from here to kMissed: angular accelerations
+  static constexpr int kSpin = 13;  // from here on, angular accelerations
+  static constexpr int kPastSpins = 22;
   static constexpr int kMissed = 22;
   static constexpr int kSlope = 25;
   static constexpr int kDue = 28;

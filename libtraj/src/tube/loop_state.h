@@ -92,8 +92,8 @@ struct GeometricRows {
   static constexpr int kind_of_named(int k) { return k % 3; }
   static constexpr std::size_t kOldest = 6;  // halves of a second, before terms become a box
   static constexpr int kVelocity = 3;
-  static constexpr int kSpin = 13;
-  static constexpr int kTurned = 19;
+  static constexpr int kSpin = 13;  // from here on, angular accelerations
+  static constexpr int kPastSpins = 19;
   static constexpr int kGust = 22;
   static constexpr int kWind = 25;
   static constexpr int kLightness = 28;

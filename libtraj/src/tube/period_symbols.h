@@ -53,12 +53,7 @@ class PeriodSymbolsOf {
 
 inline constexpr int kVelocity = GeometricRows::kVelocity;
 inline constexpr int kGust = GeometricRows::kGust;
-inline constexpr int kSpin = GeometricRows::kSpin;
-inline constexpr int kTurned = GeometricRows::kTurned;
 inline constexpr int kWind = GeometricRows::kWind;
-inline constexpr int kDrag = GeometricRows::kDrag;
-inline constexpr int kQuickness = GeometricRows::kQuickness;
-inline constexpr int kAgility = GeometricRows::kAgility;
 inline constexpr int kLightness = GeometricRows::kLightness;
 using PeriodMap = PeriodMapOf<GeometricRows>;
 using PeriodSymbols = PeriodSymbolsOf<GeometricRows>;

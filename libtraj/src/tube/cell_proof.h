@@ -1,0 +1,236 @@
+#pragma once
+
+// The recursion of a tube's proof over a flight, the same for both controllers.
+//
+// A Law (the class that derives from this one) says what belongs to its controller:
+//   void load(long n)                              takes note of the references of a period,
+//   auto step(const State<Model>&)                 the period that begins then, as a Taylor model,
+//   std::optional<TubeTrouble> limit_met(step, bound_of)  the first limit that may be reached, the
+//                                                  times counted from the period's start; a model's
+//                                                  own radius is a larger bound, and cheaper,
+//   Vec3 offset() const                            position minus reference in the middle,
+//   Vector sizes(long n)                           what the symbols' coordinates are at most,
+//   void look_at_hover(long n, const Matrix& map)  whether the loop settles.
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "geom/vehicle/limits.h"
+#include "traj/flight/monte_carlo.h"
+#include "tube/period_symbols.h"
+#include "tube/plant.h"
+#include "tube/prove_cell.h"
+
+namespace traj {
+
+template <class Law, class Rows>
+class CellProof {
+ public:
+  CellTube prove() {
+    look_at_weight();
+    for (long n = -before_; n <= steps_ && !out_.trouble; n += period_) advance(n);
+    if (!out_.trouble) compare_with_simulator();
+    return std::move(out_);
+  }
+
+ protected:
+  using Model = typename Rows::Model;
+  using Vector = ErrorVectorOf<Rows>;
+  using Matrix = ErrorMatrixOf<Rows>;
+  using Columns = ErrorColumnsOf<Rows>;
+
+  // From `rest`, which knows the mass and nothing else of what differs from what is believed.
+  CellProof(const ReferenceTrack& track, const FlightOptions& options, const Disturbances& d,
+            const TubeCell& cell, typename Rows::template State<Model> rest)
+      : track_(track),
+        options_(options),
+        cell_(cell),
+        period_(options.periods.attitude),
+        before_(std::lround(options.hover / kStep)),
+        steps_(std::lround((track.duration() + options.settle) / kStep)),
+        errors_(start(d, std::move(rest))) {
+    out_.radius.assign(tube_periods(track.duration()), 0);
+    for (int i = 0; i < 3; ++i) {
+      gust_(Rows::kGust + i, i) = (1 - gust_kept(d.gust_lag, period_)) * d.gust_most;
+    }
+  }
+
+  static Model lightness_of(const TubeCell& cell) {
+    return Model::inverse_of(cell.mass_least, cell.mass_most, Rows::kLightness);
+  }
+
+  // Loads the references from step n of the flight to the end of the period.
+  void load_references(long n) {
+    at_.clear();
+    for (int j = 0; j <= period_; ++j) {
+      at_.push_back(track_.at(static_cast<double>(n + j) * kStep, cursor_));
+    }
+  }
+
+  // Whether the modes of a map die away; notes the least damping.
+  bool settles(const Matrix& map) {
+    const Eigen::MatrixXd loop = map.template topLeftCorner<Rows::kGust, Rows::kGust>();
+    const Eigen::VectorXcd modes = loop.eigenvalues();
+    for (Eigen::Index k = 0; k < modes.size(); ++k) {
+      if (!(std::abs(modes[k]) < 1)) return false;
+      if (std::abs(modes[k]) < 1e-6) continue;
+      const std::complex<double> rate = std::log(modes[k]);
+      out_.damping = std::min(out_.damping, -rate.real() / std::abs(rate));
+    }
+    return true;
+  }
+
+  void note(TubeTrouble::Kind kind, long n, int motor = 0, double room = 0) {
+    out_.trouble = TubeTrouble{kind, motor, static_cast<double>(n) * kStep, room};
+  }
+
+  const ReferenceTrack& track_;
+  const FlightOptions& options_;
+  const TubeCell& cell_;
+  int period_;   // ms
+  long before_;  // steps before the start,
+  long steps_;   // and from there to the very end
+  std::size_t cursor_ = 0;
+  std::vector<Reference> at_;  // after 0, 1, ... ms of the period
+  Vector middle_ = Vector::Zero();
+  ErrorSetOf<Rows> errors_;
+  Eigen::Matrix<double, 3, Rows::kPadded> place_ =
+      Eigen::Matrix<double, 3, Rows::kPadded>::Zero();  // position minus reference, of deviations
+  CellTube out_;
+
+ private:
+  Law& law() { return static_cast<Law&>(*this); }
+
+  // On the first reference, in the middle of the cell; also notes that state.
+  ErrorSetOf<Rows> start(const Disturbances& d, typename Rows::template State<Model> state) {
+    state.drag = Model::symbol(1, Rows::kDrag, d.drag_error);
+    state.quickness =
+        Model::inverse_of(1 - d.motor_lag_error, 1 + d.motor_lag_error, Rows::kQuickness);
+    const auto agility = [&](int axis) {
+      return Model::inverse_of(1 - d.inertia_error, 1 + d.inertia_error, Rows::kAgility + axis);
+    };
+    state.agility = {agility(0), agility(1), agility(2)};
+    constexpr int kHeld = Rows::kStates - Rows::kLightness;
+    ErrorTermsOf<Rows> held;
+    held.intervals = Columns::Zero(Rows::kPadded, kHeld);
+    Vector box = Vector::Zero();
+    for_each(state, [&](int i, const Model& m) {
+      middle_[i] = m.c;
+      held.intervals.row(i) =
+          m.l.template segment<kHeld>(Rows::kLightness).matrix().transpose() * (1 + 1e-14);
+      box[i] = m.r;
+    });
+    Columns wind = Columns::Zero(Rows::kPadded, 3);
+    for (int i = 0; i < 3; ++i) {
+      middle_[Rows::kWind + i] = cell_.wind[i];
+      wind(Rows::kWind + i, i) = cell_.wind_radius > 0 ? cell_.wind_radius : cell_.wind_half[i];
+    }
+    if (cell_.wind_radius > 0) {
+      held.balls = wind;
+    } else {
+      held.intervals.conservativeResize(Eigen::NoChange, kHeld + 3);
+      held.intervals.template rightCols<3>() = wind;
+    }
+    return ErrorSetOf<Rows>(std::move(held), box);
+  }
+
+  // At rest the motors hold the true weight, or as much of it as they can.
+  void look_at_weight() {
+    const Quadrotor& q = options_.quadrotor;
+    const double share = q.mass * geom::kGravity / 4;
+    const double room =
+        std::min(q.motor_most - cell_.mass_most * share, cell_.mass_least * share - q.motor_least);
+    if (!(room > 0)) note(TubeTrouble::Kind::motor, -before_, 1, room);
+  }
+
+  void advance(long n) {
+    law().load(n);
+    const PeriodSymbolsOf<Rows> symbols(options_.quadrotor, law().sizes(n));
+    const auto step = law().step(symbols.state(middle_));
+    look_for_limits(n, symbols, step);
+    if (out_.trouble) return;
+    if (n + period_ > 0) {
+      note_radius(n, radius(step));
+      note_tilt(step);
+    }
+    if (n >= 0 && n % kStepsPerSample == 0)
+      distances_.emplace_back(n / kStepsPerSample, law().offset().norm());
+    PeriodMapOf<Rows> period = symbols.map(step.state);
+    period.added.gust = gust_;
+    if (!period.finite()) return note(TubeTrouble::Kind::tilt, n);
+    for (int i = 0; i < Rows::kWind; ++i) {
+      middle_[i] = period.middle[i];
+      period.added.box[i] += i >= Rows::kSpin && i < Rows::kPastSpins ? kSpinSlack : kSlack;
+    }
+    law().look_at_hover(n, period.map);
+    errors_.advance(period.map, period.added);
+  }
+
+  template <class Step>
+  void look_for_limits(long n, const PeriodSymbolsOf<Rows>& symbols, const Step& step) {
+    out_.trouble = law().limit_met(step, [&](const Model& m) {
+      const double named = m.l.template tail<Model::kSymbols - Rows::kStates>().abs().sum();
+      return errors_.bound(symbols.slopes(m)) + named + m.r + kSlack;
+    });
+    if (out_.trouble) out_.trouble->time += static_cast<double>(n) * kStep;
+  }
+
+  // From the start of this period to that of the next.
+  template <class Step>
+  double radius(const Step& step) {
+    double further = 0;
+    for (std::size_t j = 0; j < step.moved.size(); ++j) {
+      const Vec3 wanted = at_[j + 1].position - at_.front().position;
+      const Triple<Model>& m = step.moved[j];
+      const Vec3 moved(std::abs(m.x.c - wanted.x()) + m.x.radius(),
+                       std::abs(m.y.c - wanted.y()) + m.y.radius(),
+                       std::abs(m.z.c - wanted.z()) + m.z.radius());
+      further = std::max(further, moved.norm());
+    }
+    return law().offset().norm() + errors_.reach(place_) + further + kSlack;
+  }
+
+  void note_radius(long n, double radius) {
+    const auto period = [&](long step) {
+      const double at = static_cast<double>(std::max(step, 0L)) * kStep;
+      return std::min(static_cast<std::size_t>(at / kTubePeriod), out_.radius.size() - 1);
+    };
+    for (std::size_t k = period(n); k <= period(n + period_); ++k) {
+      out_.radius[k] = std::max(out_.radius[k], radius);
+    }
+  }
+
+  template <class Step>
+  void note_tilt(const Step& step) {
+    constexpr double kPi = 3.141592653589793;
+    for (const Model& upright : step.upright) {
+      const double least = upright.least() - kSlack;
+      out_.tilt = std::max(out_.tilt, least >= -1 ? std::acos(std::min(least, 1.0)) : kPi);
+    }
+  }
+
+  // The slack was measured on vehicles whose motors are not much faster than a step. This finds
+  // others.
+  void compare_with_simulator() {
+    constexpr double kAgreement = 1e-9;  // m
+    FlightOptions flown = options_;
+    flown.wind = {.mean = cell_.wind};
+    flown.mass_error = 1 / middle_[Rows::kLightness] - 1;
+    flown.drag_error = middle_[Rows::kDrag] - 1;
+    flown.motor_lag_error = 1 / middle_[Rows::kQuickness] - 1;
+    flown.inertia_error = middle_.template segment<3>(Rows::kAgility).cwiseInverse() - Vec3::Ones();
+    const Flight flight = simulate(track_, flown, {});
+    for (const auto& [sample, distance] : distances_) {
+      const auto k = static_cast<std::size_t>(sample);
+      if (k < flight.error.size() && std::abs(flight.error[k] - distance) <= kAgreement) continue;
+      return note(TubeTrouble::Kind::steps, sample * kStepsPerSample);
+    }
+  }
+
+  Eigen::Matrix<double, Rows::kPadded, 3> gust_ = Eigen::Matrix<double, Rows::kPadded, 3>::Zero();
+  std::vector<std::pair<long, double>> distances_;  // m of the middle, at the simulator's samples
+};
+
+}  // namespace traj
