@@ -29,7 +29,9 @@ struct DisturbedFlight {
   std::vector<double> error;  // m, at each step from the trajectory's start on
   std::vector<Vec3> place;    // m, minus the reference
   std::vector<Vec3> velocity;
-  double tilt = 0;  // rad, the largest from the trajectory's start on
+  std::vector<Vec3> rates;
+  std::vector<Vec3> spin;  // rad/s2: the motors' torque over the believed inertia
+  double tilt = 0;         // rad, the largest from the trajectory's start on
   bool saturated = false;
 };
 
@@ -62,6 +64,8 @@ DisturbedFlight fly_under(const ReferenceTrack& track, const FlightOptions& opti
       out.place.push_back(state.position - reference.position);
       out.error.push_back(out.place.back().norm());
       out.velocity.push_back(state.velocity);
+      out.rates.push_back(state.body_rates);
+      out.spin.push_back(torque_of(vehicle, state.thrust).cwiseQuotient(options.quadrotor.inertia));
       const double upright = (state.attitude * Vec3::UnitZ()).z();
       out.tilt = std::max(out.tilt, std::acos(std::min(upright, 1.0)));
     }

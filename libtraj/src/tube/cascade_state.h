@@ -9,7 +9,7 @@ namespace traj {
 // Before the controller runs. `lift` is what it asks for since the position loop last ran. The
 // wanted frame has its z axis along that and the reference's heading of now.
 template <class S>
-struct CascadeState {
+struct CascadeState : VehicleFactors<S> {
   Triple<S> lift;        // m/s2: what the position loop asked for, gravity included
   Triple<S> velocity;    // m/s
   S tilt_x{}, tilt_y{};  // of the body's z axis, in the wanted frame
@@ -25,11 +25,6 @@ struct CascadeState {
   Triple<S> due;       // m/s2: how the lift would change if the position loop ran now
   Triple<S> gust;      // m/s
   Triple<S> wind;      // m/s: the mean wind, which does not change
-  // What is not as the controller believes, and does not change.
-  S lightness{};      // believed mass over true mass
-  S drag{};           // true drag over believed drag
-  S quickness{};      // believed over true time constant of the motors
-  Triple<S> agility;  // believed over true inertia about each axis
 };
 
 template <class S, class F>
@@ -44,9 +39,7 @@ void for_each(CascadeState<S>& s, const F& f) {
   k += 4;
   three(s.rates), three(s.spin), three(s.filtered), three(s.integral);
   three(s.missed), three(s.slope), three(s.due), three(s.gust), three(s.wind);
-  f(k, s.lightness), f(k + 1, s.drag), f(k + 2, s.quickness);
-  k += 3;
-  three(s.agility);
+  for_each_factor(s, k, f);
 }
 
 // Where coordinates stand among the rows of a vector of deviations. Those from `wind` on do not

@@ -177,10 +177,7 @@ class Period {
     name_errors(held.spin, CascadeRows::kStates + 3 + 3 * j);
     step_.commands.push_back(motors(loop_.model, held));
     held.wind = wind_in(start_.wind, start_.gust, loop_.gusts, j);
-    held.lightness = start_.lightness;
-    held.drag = start_.drag;
-    held.quickness = start_.quickness;
-    held.agility = start_.agility;
+    held.set_factors(start_);
     const TiltedBody<S> before = body_;
     body_ = runge_kutta(loop_.model, wanted_, before, held);
     body_.filtered =
@@ -215,10 +212,7 @@ class Period {
     const int period = static_cast<int>(references_.at.size()) - 1;
     out.gust = gust_kept(loop_.gusts.lag, period) * start_.gust;
     out.wind = start_.wind;
-    out.lightness = start_.lightness;
-    out.drag = start_.drag;
-    out.quickness = start_.quickness;
-    out.agility = start_.agility;
+    out.set_factors(start_);
     return out;
   }
 

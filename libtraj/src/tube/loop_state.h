@@ -44,11 +44,29 @@ Triple<Wider<S, T>> scaled(const Triple<S>& a, const Triple<T>& b) {  // axis by
 }
 inline Triple<double> triple(const geom::Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
+// What of the vehicle is not as the controller believes. It does not change.
+template <class S>
+struct VehicleFactors {
+  S lightness{};      // believed mass over true mass
+  S drag{};           // true drag over believed drag
+  S quickness{};      // believed over true time constant of the motors
+  Triple<S> agility;  // believed over true inertia about each axis
+
+  void set_factors(const VehicleFactors& factors) { *this = factors; }
+};
+
+// The coordinates from k on.
+template <class S, class F>
+void for_each_factor(VehicleFactors<S>& v, int k, const F& f) {
+  f(k, v.lightness), f(k + 1, v.drag), f(k + 2, v.quickness);
+  f(k + 3, v.agility.x), f(k + 4, v.agility.y), f(k + 5, v.agility.z);
+}
+
 // The state when the attitude loop runs, in coordinates in which the closed loop is nearly linear:
 // `lift` is what the controller asks for then. The wanted frame has its z axis along the lift and
 // the reference's heading, as attitude_along() says; what belongs to the body is seen from there.
 template <class S>
-struct LoopState {
+struct LoopState : VehicleFactors<S> {
   Triple<S> lift;      // m/s2: kp (p_r - p) + kv (v_r - v) + a_r + g
   Triple<S> velocity;  // m/s
   Triple<S> lag;       // m/s2, in the wanted frame: lift - thrust / believed mass
@@ -59,11 +77,6 @@ struct LoopState {
   Triple<S> turned;    // rad/s: rates minus those that it saw last
   Triple<S> gust;      // m/s
   Triple<S> wind;      // m/s: the mean wind, which does not change
-  // What is not as the controller believes, and does not change.
-  S lightness{};      // believed mass over true mass
-  S drag{};           // true drag over believed drag
-  S quickness{};      // believed over true time constant of the motors
-  Triple<S> agility;  // believed over true inertia about each axis
 };
 inline constexpr int kLoopStates = 34;
 
@@ -77,9 +90,7 @@ void for_each(LoopState<S>& s, const F& f) {
   three(s.lift), three(s.velocity), three(s.lag);
   f(k++, s.heading);
   three(s.rates), three(s.spin), three(s.filtered), three(s.turned), three(s.gust), three(s.wind);
-  f(k, s.lightness), f(k + 1, s.drag), f(k + 2, s.quickness);
-  k += 3;
-  three(s.agility);
+  for_each_factor(s, k, f);
 }
 
 // Where coordinates stand among the rows of a vector of deviations. Those from `wind` on do not

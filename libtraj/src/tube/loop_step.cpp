@@ -67,10 +67,7 @@ LoopStep<S> loop_step(const Loop& loop, const LoopState<S>& s, const LoopReferen
     name_errors(held.spin, kLoopStates + 3 * j);
     step.commands.push_back(motors(loop.model, held));
     held.wind = wind_in(s.wind, s.gust, {loop.gust_lag, loop.gust_most}, j);
-    held.lightness = s.lightness;
-    held.drag = s.drag;
-    held.quickness = s.quickness;
-    held.agility = s.agility;
+    held.set_factors(s);
     body = runge_kutta(loop.model, wanted, body, held);
     step.moved.push_back(body.moved);
     step.upright.push_back(in_world(wanted.frame, frame_of(body, wanted).z).z);
@@ -96,10 +93,7 @@ LoopStep<S> loop_step(const Loop& loop, const LoopState<S>& s, const LoopReferen
   out.turned = body.turned;
   out.gust = gust_kept(loop, loop.period) * s.gust;
   out.wind = s.wind;
-  out.lightness = s.lightness;
-  out.drag = s.drag;
-  out.quickness = s.quickness;
-  out.agility = s.agility;
+  out.set_factors(s);
   return step;
 }
 

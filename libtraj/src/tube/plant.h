@@ -60,12 +60,10 @@ Frame<S> frame_of(const TiltedBody<S>& body, const Wanted<S>&) {
 
 // What holds during a millisecond.
 template <class S>
-struct Held {
+struct Held : VehicleFactors<S> {
   S thrust{};      // m/s2 that is asked for
   Triple<S> spin;  // rad/s2 that are asked for
   Triple<S> wind;
-  S lightness{}, drag{}, quickness{};
-  Triple<S> agility;
 };
 
 template <class S>

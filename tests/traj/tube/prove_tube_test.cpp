@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "traj/disturbed_flight.h"
+#include "step_case.h"
 #include "traj/flight/vehicle_profile.h"
 #include "traj/flights.h"
 
@@ -10,10 +10,7 @@ namespace traj {
 namespace {
 
 FlightOptions flight_of(std::string_view vehicle, ControlLaw law = ControlLaw::geometric) {
-  const auto profile = vehicle_named(vehicle);
-  FlightOptions options{.quadrotor = *quadrotor_of(profile->airframe)};
-  options.gains = *profile->airframe.gains;
-  options.law = law;
+  FlightOptions options = testing::flight_of(vehicle, law);
   options.hover = 0.6;
   options.settle = 0.4;
   return options;

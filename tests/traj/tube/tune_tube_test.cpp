@@ -2,17 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "traj/flight/vehicle_profile.h"
-#include "traj/flights.h"
+#include "step_case.h"
 
 namespace traj {
 namespace {
 
 FlightOptions flight_of(std::string_view vehicle) {
-  const auto profile = vehicle_named(vehicle);
-  FlightOptions options{.quadrotor = *quadrotor_of(profile->airframe)};
-  options.gains = *profile->airframe.gains;
-  options.law = ControlLaw::geometric;
+  FlightOptions options = testing::flight_of(vehicle);
   options.hover = 0.05;
   options.settle = 0.05;
   return options;

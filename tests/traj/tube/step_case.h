@@ -1,0 +1,159 @@
+#pragma once
+
+// What the tests of both controllers' steps share.
+
+#include <gtest/gtest.h>
+
+#include "traj/disturbed_flight.h"
+#include "traj/flight/vehicle_profile.h"
+#include "traj/flights.h"
+#include "tube/loop_state.h"
+
+namespace traj::testing {
+
+inline FlightOptions flight_of(std::string_view vehicle, ControlLaw law = ControlLaw::geometric) {
+  const auto profile = vehicle_named(vehicle);
+  FlightOptions options{.quadrotor = *quadrotor_of(profile->airframe)};
+  options.gains = *profile->airframe.gains;
+  options.law = law;
+  return options;
+}
+
+// A bend that climbs, with a heading that turns.
+inline Trajectory bend(double yaw) {
+  State a, b, c;
+  b.position = {6, 2, 3};
+  b.velocity = {1.5, 1.5, 0.3};
+  c.position = {8, 9, 4};
+  Trajectory out{{hermite(a, b, 5), hermite(b, c, 5)}};
+  for (Segment& s : out.segments) {
+    s.yaw.emplace();
+    for (int i = 0; i < 8; ++i) (*s.yaw)[static_cast<std::size_t>(i)] = yaw;
+  }
+  for (int i = 0; i < 8; ++i) {
+    const double share = i < 4 ? 0 : 1;
+    (*out.segments[0].yaw)[static_cast<std::size_t>(i)] = yaw + 1.3 * share;
+    (*out.segments[1].yaw)[static_cast<std::size_t>(i)] = yaw + 1.3;
+  }
+  return out;
+}
+
+// The middle of each coordinate.
+template <class Rows>
+typename Rows::template State<double> numbers(
+    typename Rows::template State<typename Rows::Model> state) {
+  typename Rows::template State<double> out;
+  std::vector<double> values;
+  for_each(state, [&](int, const typename Rows::Model& m) { values.push_back(m.c); });
+  for_each(out, [&](int i, double& v) { v = values[static_cast<std::size_t>(i)]; });
+  return out;
+}
+
+inline Vec3 vector(const Triple<double>& t) { return {t.x, t.y, t.z}; }
+
+// A flight in wind and gusts by a vehicle that is not as believed, and the state that knows it.
+struct OddFlight {
+  Fate fate;
+  double kept = 0;  // of a gust, a millisecond later
+  DisturbedFlight flown;
+
+  // The gust runs up in the last step of a period, so that the equations know it whole.
+  OddFlight(const ReferenceTrack& track, const FlightOptions& options, double error,
+            std::uint64_t seed)
+      : kept(std::exp(-kStep)) {
+    support::Random random(seed);
+    fate.wind = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-0.3, 0.3)};
+    const Vec3 push = 0.3 * direction(random);
+    const int period = options.periods.attitude;
+    fate.towards = [=, kept = kept](long n) {
+      return n % period == period - 1
+                 ? Vec3(push * std::sin(0.01 * static_cast<double>(n)) / (1 - kept) * 0.02)
+                 : Vec3::Zero();
+    };
+    fate.mass_error = error;
+    fate.drag_error = 3 * error;
+    fate.motor_lag_error = -error;
+    fate.inertia_error = error * Vec3(1, -1, 2);
+    flown = fly(track, options, {}, fate);
+    EXPECT_FALSE(flown.saturated);
+  }
+
+  template <class State>
+  void set(State& s) const {
+    s.wind = triple(fate.wind);
+    s.drag = 1 + fate.drag_error;
+    s.quickness = 1 / (1 + fate.motor_lag_error);
+    s.agility = triple((Vec3::Ones() + fate.inertia_error).cwiseInverse());
+  }
+
+  // The gust that comes up in the period that begins `step` ms after the first.
+  Triple<double> gust(long step, int period) const {
+    return triple((1 - kept) * fate.towards(step + period - 1));
+  }
+
+  // The largest difference of position (m), velocity (m/s) and rates (rad/s), n ms after the
+  // trajectory's start, and a hundredth of that of angular acceleration (rad/s2).
+  double off(long n, const Vec3& place, const Vec3& velocity, const Vec3& rates,
+             const Vec3& spin) const {
+    const auto at = static_cast<std::size_t>(n);
+    return std::max({(place - flown.place[at]).norm(), (velocity - flown.velocity[at]).norm(),
+                     (rates - flown.rates[at]).norm(), 0.01 * (spin - flown.spin[at]).norm()});
+  }
+};
+
+// How often values lay outside of what models say of them, and how often models said anything.
+struct Held {
+  int outside = 0;
+  int bounded = 0;
+};
+
+// Every state within a share of `sizes` around one whose lift is given and whose vehicle is as
+// believed: a step of it is where the step of the model says. `look(after, there, holds)` calls
+// holds(model, value) for what a step has beside its state.
+template <class Rows, class StepOf, class Look>
+void hold_steps(support::Random& random, std::span<const double> sizes, const Vec3& lift,
+                const StepOf& step_of, const Look& look, Held& held) {
+  using Model = typename Rows::Model;
+  typename Rows::template State<Model> model;
+  std::vector<double> middle, radius;
+  const double share = std::pow(10, random.uniform(-4, 0));
+  for_each(model, [&](int i, Model& m) {
+    const double size = sizes[static_cast<std::size_t>(i)];
+    const double c = i < 3 ? lift[i] : i >= Rows::kLightness ? 1 : random.uniform(-1, 1) * size;
+    middle.push_back(c);
+    radius.push_back(share * size);
+    m = Model::symbol(c, i, radius.back());
+  });
+  auto after = step_of(model);
+  for (int j = 0; j < 20; ++j) {
+    typename Rows::template State<double> state;
+    std::vector<double> s(Rows::kStates);
+    for_each(state, [&](int i, double& v) {
+      const auto at = static_cast<std::size_t>(i);
+      s[at] = j % 2 ? random.uniform(-1, 1) : (random.uniform(0, 1) < 0.5 ? -1 : 1);
+      v = middle[at] + radius[at] * s[at];
+    });
+    auto there = step_of(state);
+    const auto holds = [&](const Model& m, double value) {
+      double line = m.c;
+      for (int i = 0; i < Rows::kStates; ++i) line += m.l[i] * s[static_cast<std::size_t>(i)];
+      const double named = m.l.template tail<Model::kSymbols - Rows::kStates>().abs().sum();
+      held.outside += !(std::abs(value - line) <= named + m.r);
+      held.bounded += std::isfinite(m.r);
+    };
+    std::vector<double> values;
+    for_each(there.state, [&](int, double v) { values.push_back(v); });
+    for_each(after.state,
+             [&](int i, const Model& m) { holds(m, values[static_cast<std::size_t>(i)]); });
+    for (std::size_t n = 0; n < there.commands.size(); ++n) {
+      for (std::size_t i = 0; i < 4; ++i) holds(after.commands[n][i], there.commands[n][i]);
+      holds(after.moved[n].x, there.moved[n].x);
+      holds(after.moved[n].y, there.moved[n].y);
+      holds(after.moved[n].z, there.moved[n].z);
+      holds(after.upright[n], there.upright[n]);
+    }
+    look(after, there, holds);
+  }
+}
+
+}  // namespace traj::testing
