@@ -88,7 +88,7 @@ void FlightFiles::take_record(const Made& made, const std::string& source) {
 }
 
 std::optional<traj::FlightPairs> FlightFiles::compare() {
-  if (!set_ || !has_records_) return std::nullopt;
+  if (!set_) return std::nullopt;
   const traj::ComparedFlights compared = traj::compare_flights(*set_, common_.execution("pairs"));
   folder_.add("pairs.jsonl", compared.records);
   if (!compared.certificates.empty()) {

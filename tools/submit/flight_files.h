@@ -32,7 +32,7 @@ class FlightFiles {
   void write();
 
   // Compares the trajectories, and adds pairs.jsonl and pair_certificates.jsonl. Nothing where that
-  // was not asked for, or where there is no trajectory.
+  // was not asked for.
   std::optional<traj::FlightPairs> compare();
 
   std::size_t refused() const { return refused_; }

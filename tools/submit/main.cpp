@@ -62,6 +62,34 @@ cli::MethodFiles method_files(const Options& options, const geom::BoxMapSpec& sp
   return out;
 }
 
+// Missions have no times of their own, so trajectories alone are compared.
+std::optional<traj::FlightPairs> compared(const cli::Common& common, FlightFiles& flights,
+                                          const traj::SubmissionMethod& method) {
+  if (!method.together) return std::nullopt;
+  if (!flights.has_records()) {
+    throw cli::UsageError("--together compares trajectories, and there is none: leave it out");
+  }
+  if (!flights.missions().empty()) {
+    common.warn(
+        fmt::format("--together: {} not compared, because missions have no times of their own",
+                    geom::counted(flights.missions().size(), "mission is", "missions are")));
+  }
+  return flights.compare();
+}
+
+// Of few enough flights for a browser.
+void add_page(const cli::Common& common, const FlightFiles& flights,
+              const cli::SubmittedFlights& open, const traj::SubmissionMethod& method,
+              const std::string& by, SubmissionFolder& folder) {
+  if (flights.count() > kMostShown) {
+    common.warn(fmt::format("{} are too many for a page, so there is none (at most {})",
+                            geom::counted(flights.count(), "flight"), kMostShown));
+    return;
+  }
+  folder.add("page.html", submitting::view_page(common, shown_files(flights, folder), method,
+                                                open.placement(), "Flights of " + by));
+}
+
 // The folder says which flights come too near, and so does the exit code.
 cli::Exit told_of_pairs(const std::optional<traj::FlightPairs>& pairs) {
   if (!pairs || pairs->refused == 0) return cli::Exit::yes;
@@ -106,8 +134,7 @@ int main(int argc, char** argv) {
       return cli::Exit::no;
     }
     submission.flights = flights.count();
-    submission.pairs = flights.compare();
-    if (!submission.pairs) submission.method.together.reset();
+    submission.pairs = compared(common, flights, submission.method);
     submission.missions = flights.missions();
     if (!options.population.empty()) {
       submitting::count_people(options.population, flights, submission, folder);
@@ -118,15 +145,8 @@ int main(int argc, char** argv) {
     for (const cli::VerifyScript& one : cli::verify_scripts()) {
       folder.add("verify/" + std::string(one.name), one.text);
     }
-    const bool many = flights.count() > kMostShown;
-    if (many && !options.no_page) {
-      common.warn(fmt::format("{} are too many for a page, so there is none (at most {})",
-                              geom::counted(flights.count(), "flight"), kMostShown));
-    }
-    if (!options.no_page && !many) {
-      folder.add("page.html",
-                 submitting::view_page(common, shown_files(flights, folder), submission.method,
-                                       open.placement(), "Flights of " + operation.by.name));
+    if (!options.no_page) {
+      add_page(common, flights, open, submission.method, operation.by.name, folder);
     }
     const std::size_t bytes = folder.bytes();
     const std::string hash = folder.commit(kMadeBy);
