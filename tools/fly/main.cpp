@@ -59,7 +59,8 @@ void check_usage(const fly::Options& options, const Inputs& inputs, const cli::S
   }
   if (options.tune && options.proves() && options.flown.controller != traj::ControlLaw::geometric) {
     throw cli::UsageError(
-        "--tune --cost proved-tube: give --controller geometric, whose gains are looked for");
+        "--tune --cost proved-tube tunes the geometric controller alone: give --controller "
+        "geometric");
   }
   if (options.proved_tube && !reports) {
     throw cli::UsageError(

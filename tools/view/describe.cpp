@@ -91,8 +91,8 @@ geom::Provenance made_for(const cli::Contents& contents, const traj::FlightLog& 
   return {};
 }
 
-// Reports that say when a mission is where, of missions of which no motion is known: the first of
-// each.
+// The first report of each mission that has a timeline, if neither a trajectory nor a flight log of
+// that mission is there.
 std::vector<const cli::Read<traj::ReportSummary>*> timelines(const cli::Contents& contents) {
   std::set<std::string> known;
   for (const auto& read : contents.trajectories) known.insert(read.record.id);

@@ -93,7 +93,7 @@ class Prover {
     if (const auto all_along = met_all_along(stage, near, known)) {
       return add_gap(stage, *all_along);
     }
-    const bool in_order = stage.curve.has_value();  // a hull's ends are those along its longest way
+    const bool in_order = stage.curve.has_value();  // the ends of a hull's half may lie elsewhere
     prove(parts->first, near, in_order ? Ends{known.early, {}} : Ends{});
     prove(parts->second, near, in_order ? Ends{{}, known.late} : Ends{});
   }

@@ -2,7 +2,7 @@
 
 // The recursion of a tube's proof over a flight, the same for both controllers.
 //
-// A Law (the class that derives from this one) says what belongs to its controller:
+// A Law is the class that derives from this one. It has the controller's part:
 //   void load(long n)                              takes note of the references of a period,
 //   auto step(const State<Model>&)                 the period that begins then, as a Taylor model,
 //   std::optional<TubeTrouble> limit_met(step, bound_of)  the first limit that may be reached, the
@@ -41,7 +41,7 @@ class CellProof {
   using Matrix = ErrorMatrixOf<Rows>;
   using Columns = ErrorColumnsOf<Rows>;
 
-  // From `rest`, which knows the mass and nothing else of what differs from what is believed.
+  // `rest`: the state at the start, in which the mass alone has its range.
   CellProof(const ReferenceTrack& track, const FlightOptions& options, const Disturbances& d,
             const TubeCell& cell, typename Rows::template State<Model> rest)
       : track_(track),

@@ -44,7 +44,7 @@ Triple<Wider<S, T>> scaled(const Triple<S>& a, const Triple<T>& b) {  // axis by
 }
 inline Triple<double> triple(const geom::Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-// What of the vehicle is not as the controller believes. It does not change.
+// How the true vehicle differs from the one that the controller believes. It does not change.
 template <class S>
 struct VehicleFactors {
   S lightness{};      // believed mass over true mass

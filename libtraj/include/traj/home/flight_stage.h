@@ -57,8 +57,8 @@ std::vector<FlightStage> stages_of(const Drift& drift);
 // Regions that no leg leads through may be flown in any direction.
 std::vector<FlightStage> stages_of(const FlownMission& mission, double speed);
 
-// The way of the same legs in the times that stages have, where each begins and ends; ways back to
-// home left out.
+// The ends of the same legs, each with the time that stages give it. Ways back to home are left
+// out.
 std::vector<TimedPlace> timeline_of(const Drift& drift);
 std::vector<TimedPlace> timeline_of(const FlownMission& mission, double speed);
 

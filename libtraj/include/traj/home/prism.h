@@ -64,8 +64,8 @@ class PrismMeeting {
   std::vector<Edge> edges_;
 };
 
-// Boxes that together hold the prism to rounding, side by side along its longer side: `parts` >= 1
-// of them. A long prism across the axes is in far less room than its bounds.
+// At most `parts` (>= 1) boxes, side by side along the prism's longer side. Together they hold the
+// prism, to rounding. A long prism that lies across the axes fills little of its bounds.
 std::vector<geom::Aabb> boxes_around(const Prism& prism, int parts);
 
 // The least distance from a place to the plan, m; 0 inside. To rounding.

@@ -25,7 +25,7 @@ struct DisturbanceRange {
   double Disturbances::*value;
   double least = 0;  // closed
   double most = 0;
-  std::string_view share_of = {};  // where it is a share of what is believed: of what
+  std::string_view share_of = {};  // "a mass", if it is a share of the believed mass; else empty
 };
 inline constexpr std::array kDisturbanceRanges{
     DisturbanceRange{"wind_spread", &Disturbances::wind_spread, 0, 1e3},

@@ -47,8 +47,8 @@ struct ReturnReport {
   double duration = 0;                   // s, of the flight
   double longest = 0;                    // s that a return may take: an estimate
   std::vector<ReturnGap> gaps = {};      // ascending, apart
-  // Of a mission or a path, whose times are estimates: its way, straight between these; it ascends
-  // in time. Of several autopilots that of the first.
+  // Where a mission or a path is when, in ascending time. Between two entries the way is straight.
+  // The times are estimates. If several autopilots may fly, the first one does.
   std::vector<TimedPlace> timeline = {};
   bool least_sought = false;                // whether it was looked for:
   std::optional<double> least_height = {};  // m above home with which there is no gap
