@@ -20,6 +20,8 @@ struct Fate {
   double drag_error = 0;
   double motor_lag_error = 0;
   Vec3 inertia_error = Vec3::Zero();
+  Vec3 place = Vec3::Zero();     // m, from where the reference begins
+  Vec3 velocity = Vec3::Zero();  // m/s, then
   std::function<Vec3(long)> towards =
       {};  // m/s, what the gust runs towards from a step of 1 ms on, counted
            // from the start of the hovering before the trajectory
@@ -51,7 +53,8 @@ DisturbedFlight fly_under(const ReferenceTrack& track, const FlightOptions& opti
   std::size_t cursor = 0;
   QuadrotorState state;
   const Reference first = track.at(-1, cursor);
-  state.position = first.position;
+  state.position = first.position + fate.place;
+  state.velocity = fate.velocity;
   state.attitude = Eigen::AngleAxisd(first.yaw, Vec3::UnitZ());
   state.thrust = Motors::Constant(vehicle.mass * 9.80665 / 4);
   Controller controller(options.quadrotor, options.gains, options.periods);
@@ -127,6 +130,8 @@ inline Fate drawn_fate(support::Random& random, const FlightOptions& options, co
   fate.drag_error = off(d.drag_error);
   fate.motor_lag_error = off(d.motor_lag_error);
   for (double& axis : fate.inertia_error) axis = off(d.inertia_error);
+  fate.place = off(d.start_error) * push;
+  fate.velocity = off(d.start_speed) * (random.uniform(0, 1) < 0.5 ? push : direction(random));
   const long all = std::lround((options.hover + duration + options.settle) / kStep);
   std::vector<Vec3> towards(static_cast<std::size_t>(all + 1), Vec3::Zero());
   if (kind == 2) {

@@ -73,11 +73,11 @@ void check_usage(const fly::Options& options, const Inputs& inputs, const cli::S
     throw cli::UsageError("--certificate: give --controller geometric; the script knows no other");
   }
   if (!outputs.certificate.empty() &&
-      std::max({options.flown.drag_error, options.flown.motor_lag_error,
-                options.flown.inertia_error}) > 0) {
+      std::max({options.flown.start_error, options.flown.start_speed, options.flown.drag_error,
+                options.flown.motor_lag_error, options.flown.inertia_error}) > 0) {
     throw cli::UsageError(
-        "--certificate holds for ranges of winds, gusts and masses alone: leave out --drag-error, "
-        "--motor-lag-error and --inertia-error");
+        "--certificate holds for ranges of winds, gusts and masses alone: leave out --start-error, "
+        "--start-speed, --drag-error, --motor-lag-error and --inertia-error");
   }
   if (options.proved_tube && sharding.asked() && options.runs > 0) {
     throw cli::UsageError(

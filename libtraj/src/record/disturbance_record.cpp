@@ -36,6 +36,10 @@ std::string in_words(const Disturbances& d) {
   std::string out =
       fmt::format("a mean wind within {:g} m/s of [{:g}, {:g}, {:g}] m/s (east, north, up), {}",
                   d.wind_spread, d.wind.x(), d.wind.y(), d.wind.z(), gusts);
+  if (d.start_error > 0 || d.start_speed > 0) {
+    out += fmt::format(", a start within {:g} m of the first point and {:g} m/s of rest",
+                       d.start_error, d.start_speed);
+  }
   for (const DisturbanceRange& range : kDisturbanceRanges) {
     const bool mass = range.value == &Disturbances::mass_error;
     if (range.share_of.empty() || (!mass && d.*range.value == 0)) continue;

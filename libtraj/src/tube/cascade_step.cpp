@@ -260,4 +260,25 @@ CascadeState<Model> cascade_at_rest(const Model& lightness) {
   return s;
 }
 
+// The velocity loop has no derivative when it first runs, as if it had seen this error before. Its
+// integral is not in the lift yet, but due.
+CascadeState<Model> cascade_starting(const CascadeLoop& loop, const Model& lightness,
+                                     const Reference& first, const Off<Model>& off) {
+  CascadeState<Model> s = cascade_at_rest(lightness);
+  const Wanted<Model> wanted = wanted_at(s.lift, first);
+  s.missed = Triple<Model>{} - scaled(triple(loop.gains.position.p), off.place) - off.velocity;
+  s.due = scaled(triple(LiftGains(loop).of_missed), s.missed);
+  const Triple<Model> change = scaled(triple(loop.gains.velocity.p), s.missed);
+  TiltedBody<Model> body;
+  body.missing = s.missing;
+  turn_to(wanted, change_of(wanted, change, first.yaw, first.yaw), body);
+  s.lift = s.lift + change;
+  s.velocity = off.velocity;
+  s.tilt_x = body.tilt_x;
+  s.tilt_y = body.tilt_y;
+  s.missing = body.missing;
+  s.heading = body.heading;
+  return s;
+}
+
 }  // namespace traj

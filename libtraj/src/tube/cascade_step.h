@@ -73,4 +73,10 @@ CascadeStep<S> cascade_step(const CascadeLoop& loop, const CascadeState<S>& stat
 // weight.
 CascadeState<CascadeRows::Model> cascade_at_rest(const CascadeRows::Model& lightness);
 
+// The same for a vehicle that is not there, or not at rest, when its controller first runs.
+CascadeState<CascadeRows::Model> cascade_starting(const CascadeLoop& loop,
+                                                  const CascadeRows::Model& lightness,
+                                                  const Reference& first,
+                                                  const Off<CascadeRows::Model>& off);
+
 }  // namespace traj

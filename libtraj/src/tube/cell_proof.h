@@ -41,16 +41,16 @@ class CellProof {
   using Matrix = ErrorMatrixOf<Rows>;
   using Columns = ErrorColumnsOf<Rows>;
 
-  // `rest`: the state at the start, in which the mass alone has its range.
+  // `begin`: the state at the start, in which the mass and `start_off` alone have their ranges.
   CellProof(const ReferenceTrack& track, const FlightOptions& options, const Disturbances& d,
-            const TubeCell& cell, typename Rows::template State<Model> rest)
+            const TubeCell& cell, typename Rows::template State<Model> begin)
       : track_(track),
         options_(options),
         cell_(cell),
         period_(options.periods.attitude),
         before_(std::lround(options.hover / kStep)),
         steps_(std::lround((track.duration() + options.settle) / kStep)),
-        errors_(start(d, std::move(rest))) {
+        errors_(start(d, std::move(begin))) {
     out_.radius.assign(tube_periods(track.duration()), 0);
     for (int i = 0; i < 3; ++i) {
       gust_(Rows::kGust + i, i) = (1 - gust_kept(d.gust_lag, period_)) * d.gust_most;
@@ -59,6 +59,24 @@ class CellProof {
 
   static Model lightness_of(const TubeCell& cell) {
     return Model::inverse_of(cell.mass_least, cell.mass_most, Rows::kLightness);
+  }
+
+  static bool may_start_off(const Disturbances& d) {
+    return d.start_error > 0 || d.start_speed > 0;
+  }
+
+  // Place and velocity stand for themselves in the columns of lift and velocity.
+  static Off<Model> start_off(const Disturbances& d) {
+    const auto symbols = [](int row, double size) {
+      return Triple<Model>{Model::symbol(0, row, size), Model::symbol(0, row + 1, size),
+                           Model::symbol(0, row + 2, size)};
+    };
+    return {symbols(0, d.start_error), symbols(Rows::kVelocity, d.start_speed)};
+  }
+
+  static Reference first_reference(const ReferenceTrack& track, const FlightOptions& options) {
+    std::size_t cursor = 0;
+    return track.at(-options.hover, cursor);
   }
 
   // Loads the references from step n of the flight to the end of the period.
@@ -122,13 +140,23 @@ class CellProof {
           m.l.template segment<kHeld>(Rows::kLightness).matrix().transpose() * (1 + 1e-14);
       box[i] = m.r;
     });
+    if (may_start_off(d)) {
+      held.balls = Columns::Zero(Rows::kPadded, 6);
+      for_each(state, [&](int i, const Model& m) {
+        held.balls.row(i).template head<3>() = m.l.template head<3>().matrix().transpose();
+        held.balls.row(i).template tail<3>() =
+            m.l.template segment<3>(Rows::kVelocity).matrix().transpose();
+      });
+      held.balls *= 1 + 1e-14;
+    }
     Columns wind = Columns::Zero(Rows::kPadded, 3);
     for (int i = 0; i < 3; ++i) {
       middle_[Rows::kWind + i] = cell_.wind[i];
       wind(Rows::kWind + i, i) = cell_.wind_radius > 0 ? cell_.wind_radius : cell_.wind_half[i];
     }
     if (cell_.wind_radius > 0) {
-      held.balls = wind;
+      held.balls.conservativeResize(Eigen::NoChange, held.balls.cols() + 3);
+      held.balls.template rightCols<3>() = wind;
     } else {
       held.intervals.conservativeResize(Eigen::NoChange, kHeld + 3);
       held.intervals.template rightCols<3>() = wind;

@@ -44,6 +44,13 @@ Triple<Wider<S, T>> scaled(const Triple<S>& a, const Triple<T>& b) {  // axis by
 }
 inline Triple<double> triple(const geom::Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
+// How far a vehicle is from a reference.
+template <class S>
+struct Off {
+  Triple<S> place;     // m
+  Triple<S> velocity;  // m/s
+};
+
 // How the true vehicle differs from the one that the controller believes. It does not change.
 template <class S>
 struct VehicleFactors {

@@ -111,4 +111,22 @@ LoopState<TaylorModel> resting(const TaylorModel& lightness) {
   return s;
 }
 
+LoopState<TaylorModel> starting(const Loop& loop, const TaylorModel& lightness,
+                                const Reference& first, const Off<TaylorModel>& off) {
+  using S = TaylorModel;
+  LoopState<S> s = resting(lightness);
+  const Wanted<S> wanted = wanted_at(s.lift, first);
+  const GeometricGains& k = loop.gains;
+  const Triple<S> change = Triple<S>{} - scaled(triple(k.position), off.place) -
+                           scaled(triple(k.velocity), off.velocity);
+  Body<S> body;
+  body.lag = s.lag;
+  turn_to(wanted, change_of(wanted, change, first.yaw, first.yaw), body);
+  s.lift = s.lift + change;
+  s.velocity = off.velocity;
+  s.lag = body.lag;
+  s.heading = body.heading;
+  return s;
+}
+
 }  // namespace traj

@@ -53,6 +53,10 @@ LoopStep<S> loop_step(const Loop& loop, const LoopState<S>& state,
 // weight.
 LoopState<TaylorModel> resting(const TaylorModel& lightness);
 
+// The same for a vehicle that is not there, or not at rest, when its controller first runs.
+LoopState<TaylorModel> starting(const Loop& loop, const TaylorModel& lightness,
+                                const Reference& first, const Off<TaylorModel>& off);
+
 // The share of a gust that is left after so many milliseconds. What came meanwhile is at most the
 // rest times gust_most.
 double gust_kept(const Loop& loop, int milliseconds);

@@ -14,8 +14,8 @@ class CascadeProof : public CellProof<CascadeProof, Rows> {
  public:
   CascadeProof(const ReferenceTrack& track, const FlightOptions& options, const Disturbances& d,
                const TubeCell& cell)
-      : CellProof(track, options, d, cell, cascade_at_rest(lightness_of(cell))),
-        loop_{options.quadrotor, options.gains, options.periods, {d.gust_lag, d.gust_most}} {
+      : CellProof(track, options, d, cell, begin(track, options, d, cell)),
+        loop_(loop_of(options, d)) {
     const LiftGains k(loop_);
     for (int i = 0; i < 3; ++i) {
       const double shrink = -1 / loop_.gains.position.p[i];
@@ -69,6 +69,18 @@ class CascadeProof : public CellProof<CascadeProof, Rows> {
   }
 
  private:
+  static CascadeLoop loop_of(const FlightOptions& options, const Disturbances& d) {
+    return {options.quadrotor, options.gains, options.periods, {d.gust_lag, d.gust_most}};
+  }
+
+  static CascadeState<Model> begin(const ReferenceTrack& track, const FlightOptions& options,
+                                   const Disturbances& d, const TubeCell& cell) {
+    const Model lightness = lightness_of(cell);
+    if (!may_start_off(d)) return cascade_at_rest(lightness);
+    return cascade_starting(loop_of(options, d), lightness, first_reference(track, options),
+                            start_off(d));
+  }
+
   CascadeLoop loop_;
   CascadeReferences references_;
   Vec3 last_asked_ = Vec3::Zero();

@@ -9,9 +9,8 @@ class GeometricProof : public CellProof<GeometricProof, GeometricRows> {
  public:
   GeometricProof(const ReferenceTrack& track, const FlightOptions& options, const Disturbances& d,
                  const TubeCell& cell)
-      : CellProof(track, options, d, cell, resting(lightness_of(cell))),
-        loop_{options.quadrotor, options.gains.geometric, options.periods.attitude, d.gust_lag,
-              d.gust_most} {
+      : CellProof(track, options, d, cell, begin(track, options, d, cell)),
+        loop_(loop_of(options, d)) {
     for (int i = 0; i < 3; ++i) {
       place_(i, i) = -1 / loop_.gains.position[i];
       place_(i, kVelocity + i) = -loop_.gains.velocity[i] / loop_.gains.position[i];
@@ -72,6 +71,18 @@ class GeometricProof : public CellProof<GeometricProof, GeometricRows> {
   }
 
  private:
+  static Loop loop_of(const FlightOptions& options, const Disturbances& d) {
+    return {options.quadrotor, options.gains.geometric, options.periods.attitude, d.gust_lag,
+            d.gust_most};
+  }
+
+  static LoopState<TaylorModel> begin(const ReferenceTrack& track, const FlightOptions& options,
+                                      const Disturbances& d, const TubeCell& cell) {
+    const TaylorModel lightness = lightness_of(cell);
+    if (!may_start_off(d)) return resting(lightness);
+    return starting(loop_of(options, d), lightness, first_reference(track, options), start_off(d));
+  }
+
   Loop loop_;
 };
 

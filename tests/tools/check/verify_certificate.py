@@ -47,9 +47,12 @@ def shown(value):
 
 def number(value, what, least=-LARGEST, most=LARGEST):
     """A JSON number that is a double, as a float: no string, bool, NaN, nor anything a double is not."""
-    require(type(value) in (int, float) and abs(value) <= sys.float_info.max, f"{what} must be a number, found {shown(value)}")
-    require(float(value) == value, f"{what} must be a double, found {shown(value)}")
-    require(least <= value <= most, f"{what} must be within {least} and {most}, found {shown(value)}")
+    if type(value) not in (int, float) or not abs(value) <= sys.float_info.max:
+        raise Refused(f"{what} must be a number, found {shown(value)}")
+    if float(value) != value:
+        raise Refused(f"{what} must be a double, found {shown(value)}")
+    if not least <= value <= most:
+        raise Refused(f"{what} must be within {least} and {most}, found {shown(value)}")
     return float(value)
 
 
@@ -216,7 +219,8 @@ class BoxMap:
 
 
 def corners(six, what):
-    require(all(-LARGEST <= a <= b <= LARGEST for a, b in zip(six[:3], six[3:])), f"{what} must be two corners within 1e8 m, found {six}")
+    if not all(-LARGEST <= a <= b <= LARGEST for a, b in zip(six[:3], six[3:])):
+        raise Refused(f"{what} must be two corners within 1e8 m, found {six}")
     return list(six[:3]), list(six[3:])
 
 
@@ -250,9 +254,24 @@ def pieces(points, cover, halved=halves):
 
 def derivative(points, times):
     """Control points of the derivative, times the duration to that power."""
+    scale = math.perm(len(points) - 1, times)
+    return [[scale * c for c in p] for p in differences(points, times)]
+
+
+def at_begin(points, order):
+    """The derivative where the curve begins, times the duration to that power."""
+    return [math.perm(len(points) - 1, order) * c for c in differences(points[:order + 1], order)[0]]
+
+
+def at_end(points, order):
+    """The derivative where the curve ends, times the duration to that power."""
+    return [math.perm(len(points) - 1, order) * c for c in differences(points[-order - 1:], order)[0]]
+
+
+def differences(points, times):
+    """Differences of neighbours, taken so many times."""
     for _ in range(times):
-        degree = len(points) - 1
-        points = [[degree * (b - a) for a, b in zip(p, q)] for p, q in zip(points, points[1:])]
+        points = [[b - a for a, b in zip(p, q)] for p, q in zip(points, points[1:])]
     return points
 
 
@@ -494,8 +513,8 @@ class Verifier:
         require("yaw_rate" not in self.limits or step <= self.step_of("yaw_rate", before, after),
                 "the yaw of two segments does not join")
         for order, most in enumerate([1e-9, 1e-6]):
-            end = derivative([[y] for y in before[2]], order)[-1][0] / before[0]**order
-            begin = derivative([[y] for y in after[2]], order)[0][0] / after[0]**order
+            end = at_end([[y] for y in before[2]], order)[0] / before[0]**order
+            begin = at_begin([[y] for y in after[2]], order)[0] / after[0]**order
             require(abs(begin - end) <= F(most) * F(1001, 1000), "the yaw of two segments does not join")
 
     def standing(self, segments, end):
@@ -509,8 +528,8 @@ class Verifier:
     def joint(self, before, after, proof, instant):
         self.yaw_joint(before, after)
         for order, most in enumerate([1e-9, 1e-6, 1e-4]):
-            end = derivative(before[1], order)[-1]
-            begin = derivative(after[1], order)[0]
+            end = at_end(before[1], order)
+            begin = at_begin(after[1], order)
             step = [b / after[0]**order - e / before[0]**order for b, e in zip(begin, end)]
             square = sum(c * c for c in step)
             require(square <= (F(most) * F(1001, 1000)) ** 2, "two segments do not join")

@@ -23,6 +23,7 @@ usage; 3 if a file is not what it should be.
 import hashlib
 import json
 import math
+import operator
 import os
 import struct
 import subprocess
@@ -143,7 +144,11 @@ def outward(ring):
 
 def room_around(outer, inner):
     """How far the inner ring stays inside every edge of the outer one, m; below 0 where it does not."""
-    return min(-max((p[0] - a[0]) * n[0] + (p[1] - a[1]) * n[1] for p in inner) for a, n in outward(outer))
+    return room_within(outward(outer), inner)
+
+
+def room_within(edges, inner):
+    return min(-max((p[0] - a[0]) * n[0] + (p[1] - a[1]) * n[1] for p in inner) for a, n in edges)
 
 
 def disjoint(one, other):
@@ -186,20 +191,18 @@ def risk_volumes(folder, name, origin):
     return out
 
 
-def bernstein(points, t):
-    while len(points) > 1:
-        points = [a + (b - a) * t for a, b in zip(points, points[1:])]
-    return points[0]
+# Of each instant of a segment, the shares of its eight control points.
+SHARES = [[math.comb(7, i) * (k / INSTANTS) ** i * (1 - k / INSTANTS) ** (7 - i) for i in range(8)]
+          for k in range(INSTANTS + 1)]
 
 
 def places_of(record, enu):
     """Times after the start and places (east, north, up), at many instants."""
     begin = 0.0
     for segment in record["segments"]:
-        for k in range(INSTANTS + 1):
-            t = k / INSTANTS
-            p = [bernstein(segment[axis], t) for axis in "xyz"]
-            yield begin + t * segment["duration"], p if enu else [p[1], p[0], p[2]]
+        axes = [segment[axis] for axis in ("xyz" if enu else "yxz")]
+        for k, shares in enumerate(SHARES):
+            yield begin + k / INSTANTS * segment["duration"], [sum(map(operator.mul, shares, points)) for points in axes]
         begin += segment["duration"]
 
 
@@ -210,14 +213,17 @@ def check_held(record, volumes, method, claims, enu):
         room[0], room[1] = room[1], room[0]
     begin = instant(record["epoch"]).timestamp() + record["start"]
     height = method["origin"][2]
+    spaces = [(v["from"].timestamp() - 1e-6, v["until"].timestamp() + 1e-6, v["low"] - height - 1e-6, v["high"] - height + 1e-6,
+               outward(v["ring"])) for v in volumes]
     for seconds, p in places_of(record, enu):
         now = begin + seconds
         corners = [(p[0] + x * room[0], p[1] + y * room[1]) for x in (-1, 1) for y in (-1, 1)]
-        held = [v for v in volumes if v["from"].timestamp() <= now + 1e-6 and now - 1e-6 <= v["until"].timestamp()]
-        require(held, claims["volumes"], f"no volume is there {seconds:.3f} s after the start")
-        require(any(v["low"] - height <= p[2] - room[2] + 1e-6 and p[2] + room[2] <= v["high"] - height + 1e-6
-                    and room_around(v["ring"], corners) >= -TOLERANCE / 10 for v in held),
-                claims["volumes"], f"no volume holds the vehicle {seconds:.3f} s after the start")
+        there = [space for space in spaces if space[0] <= now <= space[1]]
+        if not there:
+            raise Refused(f"{claims['volumes']}: no volume is there {seconds:.3f} s after the start")
+        if not any(low <= p[2] - room[2] and p[2] + room[2] <= high and room_within(edges, corners) >= -TOLERANCE / 10
+                   for _, _, low, high, edges in there):
+            raise Refused(f"{claims['volumes']}: no volume holds the vehicle {seconds:.3f} s after the start")
 
 
 def contingency_size(risk, speed):

@@ -69,7 +69,8 @@ TEST(CascadeClips, OfEachQuantityAreFound) {
   for (const Case& one : cases) {
     const double middle = one.of(*std::make_unique<Step>(hover(loop))).c;
     const double way = one.limit - middle;
-    for (const double share : {0.5, 0.99}) {  // of the way that the middle goes, the radius the rest
+    for (const double share :
+         {0.5, 0.99}) {  // of the way that the middle goes, the radius the rest
       Step step = hover(loop);
       one.of(step) = Model::within(middle + share * way, (1 - share - 1e-6) * std::abs(way));
       EXPECT_FALSE(met(loop, step)) << one.limit;

@@ -55,7 +55,9 @@ double disagreement(const FlightOptions& options, double yaw, double error, std:
   const testing::OddFlight flight(track, options, error, seed);
   const int period = options.periods.attitude;
   const long before = std::lround(options.hover / kStep);
-  CascadeState<double> s = testing::numbers<CascadeRows>(cascade_at_rest(1 / (1 + error)));
+  CascadeState<double> s = testing::numbers<CascadeRows>(
+      cascade_starting(loop, 1 / (1 + error), references_of(track, options, -before, before).at[0],
+                       flight.off<Model>()));
   flight.set(s);
   double worst = 0;
   const long steps = std::lround((track.duration() + options.settle) / kStep);

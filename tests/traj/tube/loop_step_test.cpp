@@ -22,7 +22,8 @@ double disagreement(const FlightOptions& options, double yaw, double error, std:
   const testing::OddFlight flight(track, options, error, seed);
   std::size_t cursor = 0;
   const long before = std::lround(options.hover / kStep);
-  LoopState<double> s = testing::numbers<GeometricRows>(resting(1 / (1 + error)));
+  LoopState<double> s = testing::numbers<GeometricRows>(
+      starting(loop, 1 / (1 + error), track.at(-options.hover, cursor), flight.off<TaylorModel>()));
   flight.set(s);
   double worst = 0;
   const long steps = std::lround((track.duration() + options.settle) / kStep);

@@ -67,6 +67,34 @@ TEST(ProveTube, HoldsVehiclesThatDifferFromWhatIsBelieved) {
   }
 }
 
+// A start that is off counts where hardly any hovering comes before, and is forgotten after much.
+void expect_start(double off, ControlLaw law) {
+  const Disturbances d{.gust_most = 0.2, .start_error = off, .start_speed = off};
+  expect_inside("quad2kg", testing::line({2, 1, 0}, 2), d, law);
+  FlightOptions options = flight_of("quad2kg", law);
+  const ReferenceTrack track(testing::line({2, 1, 0}, 2));
+  const auto at_first = [&](double hover, const Disturbances& disturbances) {
+    options.hover = hover;
+    const ProvedTube tube = prove_tube(track, options, disturbances, {});
+    EXPECT_FALSE(tube.trouble);
+    return tube.trouble ? NAN : tube.radius[0];
+  };
+  EXPECT_GE(at_first(0.004, d), off);
+  EXPECT_LT(at_first(0.004, d), at_first(0.004, {.gust_most = 0.2}) + 1.5 * off);
+  EXPECT_LT(at_first(4, d), at_first(4, {.gust_most = 0.2}) + 0.3 * off);
+}
+
+TEST(ProveTube, HoldsFlightsThatBeginOff) {
+  expect_start(0.001, ControlLaw::geometric);  // with more, motors saturate
+  expect_start(0.05, ControlLaw::cascade);
+  FlightOptions options = flight_of("quad2kg");
+  const ReferenceTrack track(testing::line({2, 1, 0}, 2));
+  testing::Fate fate;
+  fate.place = {0.01, 0, 0};
+  EXPECT_TRUE(testing::fly(track, options, {}, fate).saturated);
+  EXPECT_TRUE(prove_tube(track, options, {.start_error = 0.01}, {}).trouble);
+}
+
 TEST(ProveTube, HoldsFlightsUnderTheCascade) {
   expect_inside("quad2kg", testing::line({6, 3, 2}, 6),
                 {.wind = {1, -1, 0}, .wind_spread = 0.2, .gust_most = 0.5, .mass_error = 0.005},

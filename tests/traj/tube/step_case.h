@@ -58,6 +58,7 @@ struct OddFlight {
   DisturbedFlight flown;
 
   // The gust runs up in the last step of a period, so that the equations know it whole.
+  // It begins off its place and not at rest.
   OddFlight(const ReferenceTrack& track, const FlightOptions& options, double error,
             std::uint64_t seed)
       : kept(std::exp(-kStep)) {
@@ -74,6 +75,9 @@ struct OddFlight {
     fate.drag_error = 3 * error;
     fate.motor_lag_error = -error;
     fate.inertia_error = error * Vec3(1, -1, 2);
+    const double off = (options.law == ControlLaw::cascade ? 2 : 0.02) * error;
+    fate.place = off * direction(random);
+    fate.velocity = off * direction(random);
     flown = fly(track, options, {}, fate);
     EXPECT_FALSE(flown.saturated);
   }
@@ -84,6 +88,13 @@ struct OddFlight {
     s.drag = 1 + fate.drag_error;
     s.quickness = 1 / (1 + fate.motor_lag_error);
     s.agility = triple((Vec3::Ones() + fate.inertia_error).cwiseInverse());
+  }
+
+  // Of its start, without ranges.
+  template <class Model>
+  Off<Model> off() const {
+    const auto models = [](const Vec3& v) { return Triple<Model>{v.x(), v.y(), v.z()}; };
+    return {models(fate.place), models(fate.velocity)};
   }
 
   // The gust that comes up in the period that begins `step` ms after the first.

@@ -20,7 +20,8 @@ constexpr Group kGroups[] = {
     {"Input",
      "--queries --reference --set --length=METRES --from --to --format --file-format --paths-csv "
      "--paths plan--home --home-local --contingencies --lattice --roadmap --old-map --patch --map "
-     "--plan check--tube export--tube submit--tube --moving --home-place --operation --population --between "
+     "--plan check--tube export--tube submit--tube --moving --home-place --operation --population "
+     "--between "
      "--alternatives --others --planner-cmd=COMMAND --frames view--poses --epoch=INSTANT "
      "--departure=SECONDS --id=NAME --terrain --where=SQL --height-attribute=NAME "
      "--types=TYPE,... --label-by --model-path=FOLDER --without=NAME --fence --keep-out "
@@ -79,7 +80,8 @@ constexpr Group kGroups[] = {
      "--wind --gusts=METRES/S --noise --controller --gains=WORD|FILE --feed-forward "
      "--delay=SECONDS --hover-time=SECONDS --settle=SECONDS --loop-period=SECONDS "
      "--mass-error=SHARE --proved-tube --wind-spread=METRES/S --gust-most=METRES/S "
-     "--gust-lag=SECONDS --drag-error=SHARE --motor-lag-error=SHARE --inertia-error=SHARE "
+     "--gust-lag=SECONDS --start-error=METRES --start-speed=METRES/S --drag-error=SHARE "
+     "--motor-lag-error=SHARE --inertia-error=SHARE "
      "--runs --tune --cost=WORDS"},
     {"Picture",
      "--view --camera --rate=HERTZ --at=SECONDS --image-size=WIDTHxHEIGHT --azimuth=DEGREES "

@@ -79,6 +79,14 @@ void SimulatedVehicleOptions::add_to(CLI::App& app) {
   app.add_option("--gust-lag", gust_lag,
                  "with --proved-tube: the time constant of gusts, s (default: 1)")
       ->check(CLI::Range(0.01, 1000.0));
+  app.add_option("--start-error", start_error,
+                 "with --proved-tube: when it begins to hover, the vehicle is within this of the "
+                 "first point, m (default: 0)")
+      ->check(CLI::Range(0.0, 100.0));
+  app.add_option("--start-speed", start_speed,
+                 "with --proved-tube: when it begins to hover, the vehicle is at most this fast, "
+                 "m/s (default: 0)")
+      ->check(CLI::Range(0.0, 50.0));
   app.add_option("--drag-error", drag_error,
                  "with --proved-tube: the drag is within this share of the profile's (default: 0)")
       ->check(CLI::Range(0.0, 0.5));
@@ -94,17 +102,18 @@ void SimulatedVehicleOptions::add_to(CLI::App& app) {
 
 void SimulatedVehicleOptions::refuse_idle(const CLI::App& app, bool flies,
                                           std::string_view to_what) {
-  only_for(app, flies,
-           {"--gains", "--feed-forward", "--controller", "--loop-period", "--wind", "--mass-error",
-            "--hover-time", "--settle", "--wind-spread", "--gust-most", "--gust-lag",
-            "--drag-error", "--motor-lag-error", "--inertia-error"},
-           to_what);
+  only_for(
+      app, flies,
+      {"--gains", "--feed-forward", "--controller", "--loop-period", "--wind", "--mass-error",
+       "--hover-time", "--settle", "--wind-spread", "--gust-most", "--gust-lag", "--start-error",
+       "--start-speed", "--drag-error", "--motor-lag-error", "--inertia-error"},
+      to_what);
 }
 
 void SimulatedVehicleOptions::refuse_idle_disturbances(const CLI::App& app, bool proves) {
   only_for(app, proves,
-           {"--wind-spread", "--gust-most", "--gust-lag", "--drag-error", "--motor-lag-error",
-            "--inertia-error"},
+           {"--wind-spread", "--gust-most", "--gust-lag", "--start-error", "--start-speed",
+            "--drag-error", "--motor-lag-error", "--inertia-error"},
            "--proved-tube");
 }
 
@@ -168,6 +177,8 @@ traj::Disturbances SimulatedVehicleOptions::disturbances(const traj::FlightOptio
           .wind_spread = wind_spread,
           .gust_most = gust_most,
           .gust_lag = gust_lag,
+          .start_error = start_error,
+          .start_speed = start_speed,
           .mass_error = std::abs(mass_error),
           .drag_error = drag_error,
           .motor_lag_error = motor_lag_error,

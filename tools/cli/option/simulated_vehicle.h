@@ -25,6 +25,8 @@ struct SimulatedVehicleOptions {
   double wind_spread = 0;
   double gust_most = 0;
   double gust_lag = 1;
+  double start_error = 0;
+  double start_speed = 0;
   double drag_error = 0;
   double motor_lag_error = 0;
   double inertia_error = 0;

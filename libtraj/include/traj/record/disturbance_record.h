@@ -31,6 +31,8 @@ inline constexpr std::array kDisturbanceRanges{
     DisturbanceRange{"wind_spread", &Disturbances::wind_spread, 0, 1e3},
     DisturbanceRange{"gust_most", &Disturbances::gust_most, 0, 1e3},
     DisturbanceRange{"gust_lag", &Disturbances::gust_lag, 1e-6, 1e6},
+    DisturbanceRange{"start_error", &Disturbances::start_error, 0, 1e3},
+    DisturbanceRange{"start_speed", &Disturbances::start_speed, 0, 1e3},
     DisturbanceRange{"mass_error", &Disturbances::mass_error, 0, 0.5, "a mass"},
     DisturbanceRange{"drag_error", &Disturbances::drag_error, 0, 0.5, "drag"},
     DisturbanceRange{"motor_lag_error", &Disturbances::motor_lag_error, 0, 0.5,

@@ -30,6 +30,10 @@ struct Disturbances {
   double gust_most =
       0;  // m/s, >= 0: gusts g obey gust_lag g' = n - g, g = 0 at first, |n| <= gust_most
   double gust_lag = 1;  // s, > 0
+  // When it begins to hover, the vehicle is level, and within these of where it should be and of
+  // rest.
+  double start_error = 0;  // m, >= 0
+  double start_speed = 0;  // m/s, >= 0
   // The vehicle is within these shares of what is believed, each in [0, 0.5].
   double mass_error = 0;
   double drag_error = 0;
@@ -107,8 +111,8 @@ struct TubeOptions {
 
 // At every step of a millisecond, for all winds, gusts and vehicles that are allowed, the vehicle
 // of simulate() is within the radius of the reference of that instant, from the trajectory's start
-// until the end of `options.settle`. It starts at rest, `options.hover` before, and nothing is
-// clipped. `options.wind` and the errors of `options` are not looked at.
+// until the end of `options.settle`. It starts within the errors of the start, `options.hover`
+// before, and nothing is clipped. `options.wind` and the errors of `options` are not looked at.
 //
 // Preconditions: at least a millisecond of hovering before, an attitude loop of at most 4 ms, no
 // sensor noise or delay, positive position gains; under the cascade no i and d of the position
