@@ -155,7 +155,7 @@ traj::Disturbances SimulatedVehicleOptions::disturbances(const traj::FlightOptio
     refuse("Dryden gusts (--gusts) have no bound: say --gust-most and --gust-lag");
   }
   if (flight.hover < traj::kStep)
-    refuse("give a --hover-time of at least 0.001: the proof starts at rest");
+    refuse("give a --hover-time of at least 0.001: the proof begins while the vehicle hovers");
   if (flight.periods.attitude > 4) refuse("give a --loop-period of at most 0.004");
   if (std::abs(mass_error) > 0.5) refuse("give a --mass-error of at most 0.5");
   const bool geometric = flight.law == traj::ControlLaw::geometric;
