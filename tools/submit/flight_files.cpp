@@ -26,8 +26,7 @@ constexpr const char* kWritten = "what was written";
 }  // namespace
 
 // The volumes are proved as they are read back from their text.
-FlightFiles::Made FlightFiles::make(const cli::SubmittedFlight& one,
-                                    const geom::BoxMap& map) const {
+FlightFiles::Made FlightFiles::make(const traj::FlightInScene& one, const geom::BoxMap& map) const {
   const traj::SubmittedFlight& flight = *one.flight;
   Made out;
   out.id = flight.report().id;
@@ -66,8 +65,8 @@ void FlightFiles::take(Made made, const std::string& source) {
     return;
   }
   const std::string name = names_.of(made.id, source);
-  made.claims.volumes = cli::volumes_file(name);
-  made.claims.risk = cli::risk_file(name);
+  made.claims.volumes = traj::volumes_file(name);
+  made.claims.risk = traj::risk_file(name);
   folder_.add(made.claims.volumes, made.volumes);
   folder_.add(made.claims.risk, made.risk);
   if (!made.record.empty()) take_record(made, source);
@@ -118,7 +117,7 @@ void FlightFiles::add(const std::string& path, const geom::BoxMap& map) {
     return std::nullopt;
   };
   const auto work = [&](Item& item) {
-    cli::SubmittedFlight flight = flights_.of_record(item.line.text, file.name(), item.line.number);
+    traj::FlightInScene flight = flights_.of_record(item.line.text, file.name(), item.line.number);
     item.made = make(flight, map);
     item.made.record = std::move(item.line.text) + '\n';
     item.made.line = item.line.number;

@@ -15,6 +15,6 @@ foreach(path IN LISTS paths)
   endwhile()
   string(APPEND rows "  {\"${name}\", ${literal}},\n")
 endforeach()
-file(WRITE "${OUT}" "// Made of scripts in tests/tools: do not edit.\n#include \"cli/content/verify_scripts.h\"\n\n"
-  "namespace cli {\nnamespace {\nconstexpr VerifyScript kScripts[] = {\n${rows}};\n}  // namespace\n\n"
-  "std::span<const VerifyScript> verify_scripts() { return kScripts; }\n}  // namespace cli\n")
+file(WRITE "${OUT}" "// Made of scripts in tests/tools: do not edit.\n#include \"traj/submit/verify_scripts.h\"\n\n"
+  "namespace traj {\nnamespace {\nconstexpr VerifyScript kScripts[] = {\n${rows}};\n}  // namespace\n\n"
+  "std::span<const VerifyScript> verify_scripts() { return kScripts; }\n}  // namespace traj\n")
