@@ -10,6 +10,7 @@
 #include "geom/text/output_names.h"
 #include "submission_folder.h"
 #include "traj/check/flight_set.h"
+#include "traj/submit/flight_parts.h"
 #include "traj/submit/submission.h"
 #include "traj/submit/submitted_flights.h"
 
@@ -46,19 +47,12 @@ class FlightFiles {
  private:
   // What a flight came to.
   struct Made {
-    std::string id;
-    std::string refusal;  // empty: none
-    std::string record;   // its line
-    std::string volumes;
-    std::string risk;
-    std::string certificate;
-    traj::FlightClaims claims;
-    std::vector<traj::RiskVolume> buffers;
+    traj::FlightParts parts = {};
+    std::string record = {};          // its line
     traj::FlightInScene flight = {};  // of a record, where flights are compared
     std::size_t line = 0;
   };
 
-  Made make(const traj::FlightInScene& flight, const geom::BoxMap& map) const;
   void take(Made made, const std::string& source);
   void take_record(const Made& made, const std::string& source);
   void add_mission(const std::string& path, const std::string& text, const geom::BoxMap& map);
