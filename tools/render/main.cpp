@@ -129,9 +129,9 @@ int main(int argc, char** argv) {
     const auto motions = motions_of(contents, axes);
     const traj::MovingVehicle* motion = flown(motions, options);
     const geom::Execution run = common.execution("frames");
-    const geom::picture::Film film(map, lines_of(contents, motions, axes),
-                                   motion ? motion->filmed() : geom::picture::FilmedVehicle{},
-                                   options.film, run);
+    geom::picture::FilmContent content{lines_of(contents, motions, axes)};
+    if (motion) content.vehicle = motion->filmed();
+    const geom::picture::Film film(map, std::move(content), options.film, run);
     common.write_stats(render::shoot(film, times_of(options, motion), options, run));
     return cli::Exit::yes;
   });

@@ -27,12 +27,13 @@ constexpr geom::Words<ColourFormat, 3> kColourFormatWords{
 
 // An option that says a value by one of the words.
 template <class Enum, std::size_t N>
-void add_word(CLI::App& app, const char* flag, Enum& value, const geom::Words<Enum, N>& words,
-              const char* what) {
+CLI::Option* add_choice(CLI::App& app, const char* flag, Enum& value,
+                        const geom::Words<Enum, N>& words) {
   std::vector<std::string> known;
   for (const auto& [each, word] : words) known.emplace_back(word);
-  app.add_option_function<std::string>(
-         flag, [&](const std::string& word) { value = *geom::value_of(words, word); }, what)
+  return app
+      .add_option_function<std::string>(
+          flag, [&](const std::string& word) { value = *geom::value_of(words, word); })
       ->check(CLI::IsMember(known))
       ->default_str(std::string(geom::word_of(words, value)));
 }
@@ -56,11 +57,9 @@ void parse_size(const std::string& word, geom::picture::FilmOptions& film) {
 }
 
 // An angle that options say in degrees.
-void add_angle(CLI::App& app, const char* flag, double& radians, double low, double high,
-               const char* words) {
-  app.add_option_function<double>(
-         flag, [&radians](double degrees) { radians = degrees * kDegree; }, words)
-      ->check(CLI::Range(low, high));
+CLI::Option* add_angle(CLI::App& app, const char* flag, double& radians, const char* words) {
+  return app.add_option_function<double>(
+      flag, [&radians](double degrees) { radians = degrees * kDegree; }, words);
 }
 
 }  // namespace
@@ -69,8 +68,8 @@ void Options::add_to(CLI::App& app) {
   app.add_option("map", map, "box map; - for stdin")->required();
   app.add_option("files", inputs,
                  "trajectories, flight logs, paths and search trees; the first motion is flown");
-  add_word(app, "--view", film.kind, geom::picture::kFilmKindWords,
-           "first-person, plan, overview or combined");
+  add_choice(app, "--view", film.kind, geom::picture::kFilmKindWords)
+      ->description("first-person, plan, overview or combined");
   app.add_option("--id", id,
                  "the trajectory or flight to fly (default: the first flight, else trajectory)");
   app.add_option("--camera", camera_file, "camera model, JSON (default: 640 x 480, 80 degrees)");
@@ -79,17 +78,19 @@ void Options::add_to(CLI::App& app) {
       ->capture_default_str();
   app.add_option("--at", at, "one picture, at this time (s)")->check(CLI::Range(-1e9, 1e9));
   app.add_option("--image-size", size, "WIDTHxHEIGHT of a plan or an overview (default: 1280x960)");
-  add_angle(app, "--azimuth", film.overview.azimuth, -360, 360,
-            "overview: look this way, degrees from north clockwise (default: 34)");
-  add_angle(app, "--elevation", film.overview.elevation, 1, 89,
-            "overview: look down by so many degrees (default: 34)");
+  add_angle(app, "--azimuth", film.overview.azimuth,
+            "overview: look this way, degrees from north clockwise (default: 34)")
+      ->check(CLI::Range(-360.0, 360.0));
+  add_angle(app, "--elevation", film.overview.elevation,
+            "overview: look down by so many degrees (default: 34)")
+      ->check(CLI::Range(1.0, 89.0));
   metres.add_to(app);
   app.add_flag("--shadows", film.light.shadows, "the sun casts soft shadows");
   app.add_option("--samples", samples,
                  "rays a side of each pixel (default: 1 through the camera, else 3)")
       ->check(CLI::Range(1, 8));
-  add_word(app, "--format", format, kColourFormatWords,
-           "format of the colour: png, y4m, or auto (by the name)");
+  add_choice(app, "--format", format, kColourFormatWords)
+      ->description("format of the colour: png, y4m, or auto (by the name)");
   cli::add_output(app, "-o,--output", colour,
                   "colour: .y4m for a video, or .png, numbered as in f-%05d.png (default: stdout)");
   cli::add_output(app, "--depth", depth, "depth along the optical axis: .png (16 bit) or .pfm (m)");

@@ -48,10 +48,17 @@ struct Stroke {
   }
 };
 
-std::pair<Spot, Spot> around(const Spot& a, const Spot& b, double width) {
+// The corners of a rectangle of pixels.
+using Corners = std::pair<Spot, Spot>;
+
+Corners around(const Spot& a, const Spot& b, double width) {
   const double reach = 0.5 * width + 0.5;
   return {{std::min(a.x, b.x) - reach, std::min(a.y, b.y) - reach},
           {std::max(a.x, b.x) + reach, std::max(a.y, b.y) + reach}};
+}
+
+Corners square_around(const Spot& centre, double reach) {
+  return {{centre.x - reach, centre.y - reach}, {centre.x + reach, centre.y + reach}};
 }
 
 // Clamped to the picture first, so that far-off drawings cost nothing and never overflow an int.
@@ -61,7 +68,8 @@ int clamped(double value, int most) {
 
 // Blends with what cover(x, y) says, 0 to 1, over the pixels of a rectangle.
 template <class Cover>
-void paint(Picture& picture, Spot low, Spot high, Colour colour, const Cover& cover) {
+void paint_over(Picture& picture, const Corners& corners, Colour colour, const Cover& cover) {
+  const auto& [low, high] = corners;
   if (!(high.x >= 0 && high.y >= 0 && low.x < picture.width && low.y < picture.height)) return;
   const int right = clamped(std::ceil(high.x), picture.width - 1);
   const int bottom = clamped(std::ceil(high.y), picture.height - 1);
@@ -77,54 +85,51 @@ void paint(Picture& picture, Spot low, Spot high, Colour colour, const Cover& co
 
 void fill(Picture& picture, Colour colour) { picture.colour.assign(picture.pixels(), colour); }
 
-void draw_rectangle(Picture& picture, const Plate& plate, Colour colour, double share) {
+void draw_rectangle(Picture& picture, const Plate& plate, const Paint& paint) {
   const Spot corner = plate.corner;
   const Spot high{corner.x + plate.width - 1, corner.y + plate.height - 1};
-  paint(picture, corner, high, colour, [&](int x, int y) {
-    return x >= corner.x && x <= high.x && y >= corner.y && y <= high.y ? share : 0.0;
+  paint_over(picture, {corner, high}, paint.colour, [&](int x, int y) {
+    return x >= corner.x && x <= high.x && y >= corner.y && y <= high.y ? paint.share : 0.0;
   });
 }
 
-void draw_line(Picture& picture, std::span<const Spot> points, double width, Colour colour,
-               double share) {
+void draw_line(Picture& picture, std::span<const Spot> points, double width, const Paint& paint) {
   if (points.size() == 2) {
-    const auto [low, high] = around(points[0], points[1], width);
-    paint(picture, low, high, colour, [&](int x, int y) {
-      return share * Stroke{points[0], points[1], width}.cover(x, y);
+    const Corners corners = around(points[0], points[1], width);
+    paint_over(picture, corners, paint.colour, [&](int x, int y) {
+      return paint.share * Stroke{points[0], points[1], width}.cover(x, y);
     });
     return;
   }
   // The nearest of all pieces counts once, so that joints are not drawn twice.
   std::vector<float> mask(picture.pixels());
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const auto [low, high] = around(points[i], points[i + 1], width);
-    paint(picture, low, high, colour, [&](int x, int y) {
+    const Corners corners = around(points[i], points[i + 1], width);
+    paint_over(picture, corners, paint.colour, [&](int x, int y) {
       float& covered = mask[index(picture, x, y)];
       covered = std::max(covered, Stroke{points[i], points[i + 1], width}.cover(x, y));
       return 0;
     });
   }
   for (std::size_t i = 0; i < mask.size(); ++i) {
-    if (mask[i] > 0) blend(picture.colour[i], colour, share * mask[i]);
+    if (mask[i] > 0) blend(picture.colour[i], paint.colour, paint.share * mask[i]);
   }
 }
 
-void draw_disc(Picture& picture, Spot centre, double radius, Colour colour, double share) {
+void draw_disc(Picture& picture, Spot centre, double radius, const Paint& paint) {
   const double reach = radius + 0.5;
-  paint(picture, {centre.x - reach, centre.y - reach}, {centre.x + reach, centre.y + reach}, colour,
-        [&](int x, int y) {
-          return share * std::clamp(reach - std::hypot(x - centre.x, y - centre.y), 0.0, 1.0);
-        });
+  paint_over(picture, square_around(centre, reach), paint.colour, [&](int x, int y) {
+    return paint.share * std::clamp(reach - std::hypot(x - centre.x, y - centre.y), 0.0, 1.0);
+  });
 }
 
-void draw_ring(Picture& picture, Spot centre, double radius, double width, Colour colour,
-               double share) {
+void draw_ring(Picture& picture, const Ring& ring, const Paint& paint) {
+  const auto& [centre, radius, width] = ring;
   const double reach = radius + 0.5 * width + 0.5;
-  paint(picture, {centre.x - reach, centre.y - reach}, {centre.x + reach, centre.y + reach}, colour,
-        [&](int x, int y) {
-          const double off = std::abs(std::hypot(x - centre.x, y - centre.y) - radius);
-          return share * std::clamp(0.5 * width + 0.5 - off, 0.0, 1.0);
-        });
+  paint_over(picture, square_around(centre, reach), paint.colour, [&](int x, int y) {
+    const double off = std::abs(std::hypot(x - centre.x, y - centre.y) - radius);
+    return paint.share * std::clamp(0.5 * width + 0.5 - off, 0.0, 1.0);
+  });
 }
 
 double text_width(std::string_view words, int scale) {
@@ -134,9 +139,9 @@ double text_width(std::string_view words, int scale) {
   return letters.empty() ? 0 : (units - kBetween) * kUnit * scale;
 }
 
-void draw_text(Picture& picture, Spot corner, std::string_view words, int scale, Colour colour) {
-  const double unit = kUnit * scale;
-  const double width = kPen * scale;
+void draw_text(Picture& picture, Spot corner, std::string_view words, const Lettering& letters) {
+  const double unit = kUnit * letters.scale;
+  const double width = kPen * letters.scale;
   double left = corner.x;
   for (const Letter* letter : letters_of(words)) {
     std::vector<Stroke> lines;
@@ -153,8 +158,7 @@ void draw_text(Picture& picture, Spot corner, std::string_view words, int scale,
         lines.push_back({spot(stroke[i]), spot(stroke[i + 1]), width});
       }
     }
-    const auto [from, to] = around(low, high, width);
-    paint(picture, from, to, colour, [&](int x, int y) {
+    paint_over(picture, around(low, high, width), letters.colour, [&](int x, int y) {
       float most = 0;
       for (const Stroke& line : lines) most = std::max(most, line.cover(x, y));
       return most;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geom/text/excerpt.h"
+#include "map_key.h"
 
 namespace geom::picture {
 namespace {
@@ -43,9 +44,9 @@ void draw_name(Picture& picture, Spot at, const Line& line, int scale) {
   const Spot corner{std::min(at.x + 11.0 * scale, right), std::max(at.y - 13.0 * scale, 4.0)};
   draw_rectangle(
       picture,
-      {{corner.x - 3.0 * scale, corner.y - 2.0 * scale}, width + 6.0 * scale, 12.0 * scale}, kWhite,
-      0.75);
-  draw_text(picture, corner, words, scale, kVehicle);
+      {{corner.x - 3.0 * scale, corner.y - 2.0 * scale}, width + 6.0 * scale, 12.0 * scale},
+      {kWhite, 0.75});
+  draw_text(picture, corner, words, {scale, kVehicle});
 }
 
 }  // namespace
@@ -78,22 +79,23 @@ void draw_lines(Picture& picture, const View& view, std::span<const Line> lines)
 
 void draw_faintly(Picture& picture, const View& view, std::span<const Line> lines) {
   for (const Line& line : lines) {
-    if (line.way) draw_line(picture, spots(view, line.points), line.width, line.colour, kFaint);
+    if (line.way) draw_line(picture, spots(view, line.points), line.width, {line.colour, kFaint});
   }
 }
 
 void draw_start(Picture& picture, Spot at, double scale, double share) {
-  draw_ring(picture, at, 6.5 * scale, 4.5 * scale, kWhite, share);
-  draw_ring(picture, at, 6.5 * scale, 2 * scale, kVehicle, share);
+  draw_ring(picture, {at, 6.5 * scale, 4.5 * scale}, {kWhite, share});
+  draw_ring(picture, {at, 6.5 * scale, 2 * scale}, {kVehicle, share});
 }
 
 void draw_goal(Picture& picture, Spot at, double scale, double share) {
-  draw_disc(picture, at, 4.5 * scale, kWhite, share);
-  draw_disc(picture, at, 3.2 * scale, kVehicle, share);
+  draw_disc(picture, at, 4.5 * scale, {kWhite, share});
+  draw_disc(picture, at, 3.2 * scale, {kVehicle, share});
 }
 
 void draw_ends(Picture& picture, const View& view, const PictureScene& scene,
-               std::span<const Line> lines, int scale) {
+               std::span<const Line> lines) {
+  const int scale = std::max(1, key_scale(picture));
   const auto each = [&](const auto& end_of, const auto& draw) {
     for (const Line& line : lines) {
       if (!line.way || line.points.empty()) continue;
@@ -123,7 +125,7 @@ void draw_zones(Picture& picture, const View& view, std::span<const Aabb> zones)
       for (const int bit : {1, 2, 4}) {
         if (i & bit) continue;
         const std::array<Spot, 2> edge{corner(i), corner(i | bit)};
-        draw_line(picture, edge, 1.4, kZone, 0.7);
+        draw_line(picture, edge, 1.4, {kZone, 0.7});
       }
     }
   }

@@ -19,10 +19,10 @@ std::vector<Tubes> tubes_of(std::span<const Line> lines, double metres);
 void draw_lines(Picture& picture, const View& view, std::span<const Line> lines);
 // Ways once more, faintly, so that what stands before them does not hide them.
 void draw_faintly(Picture& picture, const View& view, std::span<const Line> lines);
-// A ring at the start and a dot at the goal of each way, `scale` times their size; faint where a
-// box of the scene hides them. With few ways also their ids.
+// A ring at the start and a dot at the goal of each way, as large as the picture's key
+// (map_key.h); faint where a box of the scene hides them. With few ways also their ids.
 void draw_ends(Picture& picture, const View& view, const PictureScene& scene,
-               std::span<const Line> lines, int scale);
+               std::span<const Line> lines);
 // The two marks themselves. A dot within a ring is seen.
 void draw_start(Picture& picture, Spot at, double scale, double share = 1);
 void draw_goal(Picture& picture, Spot at, double scale, double share = 1);

@@ -93,9 +93,8 @@ std::vector<StripChart> charts_of(const FilmedVehicle& vehicle, int width) {
 
 }  // namespace
 
-Film::Film(const BoxMap& map, std::vector<Line> lines, FilmedVehicle vehicle,
-           const FilmOptions& options, const Execution& run)
-    : options_(options), vehicle_(std::move(vehicle)), lines_(std::move(lines)) {
+Film::Film(const BoxMap& map, FilmContent content, const FilmOptions& options, const Execution& run)
+    : options_(options), vehicle_(std::move(content.vehicle)), lines_(std::move(content.lines)) {
   const Aabb bounds = enu_bounds(map);
   const bool combined = options_.kind == FilmKind::combined;
   const bool eye = has_eye(options_.kind);
@@ -152,7 +151,7 @@ void Film::take_map(const BoxMap& map, const Look& look, bool flat, const Execut
   } else {
     draw_faintly(map_, map_view_, lines_);
   }
-  draw_ends(map_, map_view_, *scene_, lines_, std::max(1, key_scale(map_)));
+  draw_ends(map_, map_view_, *scene_, lines_);
   draw_map_key(map_, map_view_, {shown_, look.grid, has_ways(lines_)});
 }
 

@@ -21,7 +21,7 @@ constexpr double kBarOfEdge = 0.3;     // at most, of the map's edge in an overv
 constexpr double kBesideMap = 0.02;    // of the map's longer side: from its edge to the bar
 
 void draw_plate(Picture& picture, Spot corner, double width, double height) {
-  draw_rectangle(picture, {corner, width, height}, kPlate, kPlateShare);
+  draw_rectangle(picture, {corner, width, height}, {kPlate, kPlateShare});
 }
 
 Spot spot(const View& view, const Vec3& point) {
@@ -74,7 +74,7 @@ class Row {
         x_(12.0 * scale),
         y_(picture.height - (kBand - 9 - row * kRow) * scale) {}
   void words(std::string_view text) {
-    draw_text(picture_, {x_, y_}, text, scale_, kInk);
+    draw_text(picture_, {x_, y_}, text, {scale_, kInk});
     skip(text_width(text, scale_) / scale_);
   }
   void skip(double width) { x_ += width * scale_; }
@@ -180,7 +180,7 @@ void draw_ground_bar(Picture& picture, const View& view, const MapKey& key, int 
       std::clamp(centre.y - 3.5 * scale, 4.0 * scale, picture.height - 11.0 * scale)};
   draw_plate(picture, {corner.x - 3.0 * scale, corner.y - 3.0 * scale}, width + 6.0 * scale,
              14.0 * scale);
-  draw_text(picture, corner, words, scale, kInk);
+  draw_text(picture, corner, words, {scale, kInk});
 }
 
 void draw_n(Picture& picture, Spot centre, int scale) {
@@ -208,7 +208,7 @@ void draw_north(Picture& picture, const View& view, const MapKey& key, int scale
     return Spot{centre.x + (ahead * north.x + aside * right.x) * scale,
                 centre.y + (ahead * north.y + aside * right.y) * scale};
   };
-  draw_ring(picture, centre, room - 0.5 * scale, scale, {200, 200, 200});
+  draw_ring(picture, {centre, room - 0.5 * scale, 1.0 * scale}, Colour{200, 200, 200});
   const std::array<Spot, 2> shaft{at(-13, 0), at(6, 0)};
   const std::array<Spot, 3> head{at(1.5, -4), at(7, 0), at(1.5, 4)};
   draw_line(picture, shaft, 1.6 * scale, kInk);

@@ -38,13 +38,13 @@ StripChart::StripChart(const Chart& chart, int width, int height)
   for (const double v : figure::ticks(0, most_, 4)) {
     draw_rectangle(base_, {{left_, y_of(v)}, right_ - left_, 1}, kGrid);
     const std::string words = fmt::format("{:g}", v);
-    draw_text(base_, {left_ - 6 - text_width(words, kLetter), y_of(v) - 7}, words, kLetter, kInk);
+    draw_text(base_, {left_ - 6 - text_width(words, kLetter), y_of(v) - 7}, words, {kLetter, kInk});
   }
   for (const double t : figure::ticks(chart_.begin, chart_.end, width / 90)) {
     const std::string words = fmt::format("{:g}", t);
     draw_rectangle(base_, {{x_of(t), bottom_}, 1, 5}, kInk);
-    draw_text(base_, {x_of(t) - 0.5 * text_width(words, kLetter), bottom_ + 9}, words, kLetter,
-              kInk);
+    draw_text(base_, {x_of(t) - 0.5 * text_width(words, kLetter), bottom_ + 9}, words,
+              {kLetter, kInk});
   }
   draw_rectangle(base_, {{left_, bottom_}, right_ - left_, 1}, kInk);
   std::vector<Spot> curve;
@@ -52,7 +52,7 @@ StripChart::StripChart(const Chart& chart, int width, int height)
     curve.push_back({left_ + static_cast<double>(i), y_of(values[i])});
   }
   draw_line(base_, curve, 2, kCurve);
-  draw_text(base_, {left_, 10}, chart_.label, kLetter, kInk);
+  draw_text(base_, {left_, 10}, chart_.label, {kLetter, kInk});
 }
 
 double StripChart::x_of(double time) const {
@@ -69,7 +69,7 @@ Picture StripChart::at(double time) const {
   draw_line(out, line, 1.5, kCursor);
   draw_disc(out, {x, y}, 4, kCursor);
   const std::string words = fmt::format("{:.3g}", value);
-  draw_text(out, {right_ - text_width(words, kLetter), 10}, words, kLetter, kCursor);
+  draw_text(out, {right_ - text_width(words, kLetter), 10}, words, {kLetter, kCursor});
   return out;
 }
 

@@ -25,7 +25,7 @@ Picture overview_of(const geom::BoxMap& map) {
   geom::picture::FilmOptions options;
   options.kind = geom::picture::FilmKind::overview;
   options.width = options.height = 320;
-  const geom::picture::Film film(map, {way}, {}, options);
+  const geom::picture::Film film(map, {{way}}, options);
   return film.frames({std::nullopt})[0];
 }
 

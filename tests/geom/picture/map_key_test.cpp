@@ -57,7 +57,7 @@ TEST(MapKey, StandsInItsBandAndLeavesTheMap) {
 TEST(MapKey, LettersAreAsWideAsTheyAreDrawn) {
   for (const char* words : {"grid 100 m, fine 10 m", "Wiesn-7", "a", "\u00fcber"}) {
     Picture picture{400, 40, std::vector<Colour>(400 * 40, Colour{255, 255, 255}), {}, {}};
-    geom::picture::draw_text(picture, {10, 12}, words, 2, {0, 0, 0});
+    geom::picture::draw_text(picture, {10, 12}, words, {2, {0, 0, 0}});
     int first = 400;
     int last = 0;
     for (int i = 0; i < 400 * 40; ++i) {

@@ -5,7 +5,7 @@
 // Example:
 //   geom::picture::FilmOptions options{.kind = geom::picture::FilmKind::overview};
 //   options.width = options.height = 320;
-//   const geom::picture::Film film(map, {geom::picture::way_line(0, "q1", path)}, {}, options);
+//   const geom::picture::Film film(map, {{geom::picture::way_line(0, "q1", path)}}, options);
 //   const auto frames = film.frames({std::nullopt});
 //   assert(frames.size() == 1 && frames[0].width == 320);
 
@@ -59,13 +59,19 @@ struct FilmedVehicle {
   std::function<double(double)> tracking_error;  // metres; empty where nobody knows it
 };
 
+// What a film shows on its map. What the vehicle calls must outlive the film.
+struct FilmContent {
+  std::vector<Line> lines = {};
+  FilmedVehicle vehicle = {};
+};
+
 class StripChart;
 
 class Film {
  public:
-  // What `vehicle` calls must outlive this. A film through an eye needs a vehicle (precondition).
-  Film(const BoxMap& map, std::vector<Line> lines, FilmedVehicle vehicle,
-       const FilmOptions& options, const Execution& run = {});
+  // A film through an eye needs a vehicle (precondition).
+  Film(const BoxMap& map, FilmContent content, const FilmOptions& options,
+       const Execution& run = {});
   ~Film();
   Film(const Film&) = delete;
   Film& operator=(const Film&) = delete;

@@ -5,7 +5,7 @@
 // Example:
 //   const traj::MovingVehicle vehicle("q1", trajectory, map.spec().frame.axes);
 //   const geom::picture::View view = geom::picture::view_from({}, vehicle.pose(1.5));
-//   const geom::picture::Film film(map, {}, vehicle.filmed(), {});
+//   const geom::picture::Film film(map, {.vehicle = vehicle.filmed()}, {});
 //   assert(film.width() == view.width);
 
 #include <string>
