@@ -14,6 +14,7 @@
 void run_geom(Given& given);
 void run_plan(Given& given);
 void run_traj(Given& given);
+void run_geom_png(Given& given);
 void run_geom_gis(Given& given);
 void run_geom_cloud(Given& given);
 void run_geom_mesh(Given& given);
@@ -54,6 +55,7 @@ int main(int argc, char** argv) {
   run_geom(about);
   run_plan(about);
   run_traj(about);
+  run_geom_png(about);
 #ifdef RUN_geom_gis
   run_geom_gis(about);
 #endif

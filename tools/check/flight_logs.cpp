@@ -78,14 +78,13 @@ void warn_of(const traj::FlightLog& log, const traj::FlightLogCheck& check,
 
 }  // namespace
 
-cli::Exit FlightLogs::check(const cli::Common& common, const std::string& input,
-                            cli::Scenes& scenes, const cli::MetresOption& metres,
-                            const cli::Sharding& sharding, const ReportOutput& report) {
-  const geom::BoxMap& map = scenes.map();
-  const traj::FlightLogCheck check = read_plans(map, metres);
-  cli::InputFile file(input);
+cli::Exit FlightLogs::check(const Run& run) const {
+  const ReportOutput& report = run.report;
+  const geom::BoxMap& map = run.scenes.map();
+  const traj::FlightLogCheck check = read_plans(map, run.metres);
+  cli::InputFile file(run.input);
   const auto logs = traj::read_flight_log(file.stream(), file.name());
-  cli::RecordOutput out(report.file(), "output", sharding);
+  cli::RecordOutput out(report.file(), "output", run.sharding);
   traj::VerdictTable table;
   cli::Batch batch;
   cli::BeyondBounds beyond(map);
@@ -93,11 +92,11 @@ cli::Exit FlightLogs::check(const cli::Common& common, const std::string& input,
   std::size_t touched = 0;
   std::size_t refused = 0;
   for (const traj::FlightLog& log : logs) {
-    if (!sharding.shard().takes(at++)) continue;
-    metres.check_input(map.spec().frame, log, file.name() + ": " + geom::excerpt(log.id), 0);
-    warn_of(log, check, common);
+    if (!run.sharding.shard().takes(at++)) continue;
+    run.metres.check_input(map.spec().frame, log, file.name() + ": " + geom::excerpt(log.id), 0);
+    warn_of(log, check, run.common);
     const traj::SampledReport judged =
-        check.judge(log, scenes.scene_for(check.made_for(log), file.name(), 0));
+        check.judge(log, run.scenes.scene_for(check.made_for(log), file.name(), 0));
     const std::string_view reason = traj::reason_of(judged, map);
     touched += verdict(judged.result) != "sampled";
     refused += !reason.empty();
@@ -116,12 +115,12 @@ cli::Exit FlightLogs::check(const cli::Common& common, const std::string& input,
   const cli::Exit exit = refused > 0 ? cli::Exit::no : cli::Exit::yes;
   if (report.is_text()) out.add(table.text(report.colour()));
   out.commit(logs.size(), exit);
-  if (report.tells()) batch.tell(common, "skyway-check", "flights are not proved");
-  beyond.tell(common, "skyway-check");
-  common.write_stats({{"records", logs.size()},
-                      {"failed", touched},
-                      {"refused", refused},
-                      {"collision", scenes.stats()}});
+  if (report.tells()) batch.tell(run.common, "skyway-check", "flights are not proved");
+  beyond.tell(run.common, "skyway-check");
+  run.common.write_stats({{"records", logs.size()},
+                          {"failed", touched},
+                          {"refused", refused},
+                          {"collision", run.scenes.stats()}});
   return exit;
 }
 

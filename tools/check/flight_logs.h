@@ -20,10 +20,18 @@ class FlightLogs {
   const std::string& plan() const { return plan_; }
   const std::string& tube() const { return tube_; }
 
+  // What the check of the flights of a file needs.
+  struct Run {
+    const cli::Common& common;
+    const std::string& input;
+    cli::Scenes& scenes;
+    const cli::MetresOption& metres;
+    const cli::Sharding& sharding;
+    const ReportOutput& report;
+  };
+
   // A report a flight.
-  cli::Exit check(const cli::Common& common, const std::string& input, cli::Scenes& scenes,
-                  const cli::MetresOption& metres, const cli::Sharding& sharding,
-                  const ReportOutput& report);
+  cli::Exit check(const Run& run) const;
 
  private:
   traj::FlightLogCheck read_plans(const geom::BoxMap& map, const cli::MetresOption& metres) const;

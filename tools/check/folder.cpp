@@ -2,424 +2,28 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <atomic>
 #include <filesystem>
-#include <map>
-#include <optional>
 #include <set>
-#include <sstream>
-#include <utility>
-#include <vector>
 
-#include "cli/content/submitted_flights.h"
-#include "cli/content/verify_scripts.h"
 #include "cli/file/files.h"
 #include "cli/option/common.h"
 #include "cli/tell.h"
-#include "folder_files.h"
-#include "geom/base/error.h"
-#include "geom/base/in_order.h"
-#include "geom/text/counted.h"
-#include "geom/text/json_line.h"
-#include "traj/mission/firmware/autopilot.h"
-#include "traj/record/verdict.h"
-#include "traj/submit/flight_pairs.h"
-#include "traj/submit/manifest.h"
-#include "traj/submit/operation.h"
-#include "traj/submit/population.h"
-#include "traj/submit/risk_geojson.h"
-#include "traj/submit/summary_page.h"
+#include "traj/submit/check_submission.h"
 
 namespace checking {
 namespace {
 
-namespace fs = std::filesystem;
-
-constexpr const char* kManifest = "manifest.json";
-constexpr std::size_t kFolderFlights = 64;  // flights at a time
-
-// Why a folder is refused: what is wrong, and of which file.
-struct Refusal {
-  std::string file;
-  std::string why;
-};
-
-class Folder {
- public:
-  Folder(const cli::Common& common, fs::path path) : common_(common), path_(std::move(path)) {}
-
-  std::optional<Refusal> refusal() {
-    if (auto why = why_files_differ()) return why;
-    read();
-    if (auto why = why_not_known()) return why;
-    if (auto why = why_method_differs()) return why;
-    if (auto why = why_flights_refused()) return why;
-    if (traj::summary_page(operation_, submission_, claims_) != file("summary.html")) {
-      return Refusal{"summary.html", "it does not say what the other files say"};
-    }
-    if (auto why = why_scripts_differ()) return why;
-    return why_too_near();
-  }
-
-  std::size_t flights() const { return claims_.size(); }
-  std::size_t files() const { return listed_.size() + 1; }
-  const std::string& hash() const { return hash_; }
-  const std::vector<std::string>& not_verified() const { return not_verified_; }
-
- private:
-  // --- files ----------------------------------------------------------------------------------
-
-  std::string name_of(const fs::path& path) const { return (path_ / path).string(); }
-  std::string file(const std::string& name) const { return text_of(path_ / name); }
-  bool has(const std::string& name) const { return names_.contains(name); }
-
-  std::optional<Refusal> why_files_differ() {
-    const std::string manifest = file(kManifest);
-    hash_ = traj::listed_file(kManifest, manifest).sha256;
-    listed_ = traj::read_manifest(manifest, name_of(kManifest));
-    std::vector<traj::ListedFile> found;
-    for (const auto& entry : fs::recursive_directory_iterator(path_)) {
-      const std::string name = fs::relative(entry.path(), path_).generic_string();
-      if (entry.is_directory() && !entry.is_symlink()) continue;
-      if (entry.is_symlink() || !entry.is_regular_file()) {
-        return Refusal{name, "it is a link or a device, and no file"};
-      }
-      if (name != kManifest) found.push_back(found_file(name, entry.path()));
-    }
-    std::sort(found.begin(), found.end(),
-              [](const auto& a, const auto& b) { return a.path < b.path; });
-    if (const auto why = traj::why_not_as_listed(listed_, found)) return Refusal{kManifest, *why};
-    for (const traj::ListedFile& one : listed_) names_.insert(one.path);
-    return std::nullopt;
-  }
-
-  void read() {
-    for (const char* name :
-         {"map.boxmap", "operation.json", "submission.json", "claims.jsonl", "summary.html"}) {
-      if (has(name)) continue;
-      throw geom::InputError(name_of(""),
-                             {.expected = fmt::format("the file {}", name), .found = "none"});
-    }
-    operation_ = traj::read_operation(file("operation.json"), name_of("operation.json"));
-    submission_ = traj::read_submission(file("submission.json"), name_of("submission.json"));
-    std::size_t number = 0;
-    for (const std::string& line : lines_of(file("claims.jsonl"))) {
-      claims_.push_back(traj::parse_flight_claims(line, name_of("claims.jsonl"), ++number));
-    }
-  }
-
-  // Every file of the manifest is one whose content is looked at, or is told.
-  std::optional<Refusal> why_not_known() {
-    std::set<std::string> known{"map.boxmap",    "operation.json",    "submission.json",
-                                "claims.jsonl",  "summary.html",      "page.html",
-                                "flights.jsonl", "certificates.jsonl"};
-    if (submission_.method.params) known.insert(cli::kParamsFile);
-    if (submission_.method.geoid_grid) known.insert(cli::kGeoidFile);
-    if (submission_.pairs) {
-      known.insert("pairs.jsonl");
-      if (submission_.pairs->refused == 0) known.insert("pair_certificates.jsonl");
-    }
-    if (submission_.population) known.insert("population.csv");
-    if (submission_.method.tubes) known.insert(cli::kTubesFile);
-    for (const std::string& mission : submission_.missions) known.insert("missions/" + mission);
-    for (const traj::FlightClaims& one : claims_) {
-      known.insert(one.volumes);
-      known.insert(one.risk);
-    }
-    for (const cli::VerifyScript& one : cli::verify_scripts()) {
-      known.insert("verify/" + std::string(one.name));
-    }
-    for (const std::string& name : names_) {
-      if (!known.contains(name)) return Refusal{name, "no part of such a folder has that name"};
-    }
-    if (has("page.html")) not_verified_.push_back("page.html");
-    if (submission_.population) {
-      not_verified_.push_back("that population.csv is of " + submission_.population->name);
-    }
-    return std::nullopt;
-  }
-
-  // --- what was asked for ---------------------------------------------------------------------
-
-  std::optional<Refusal> why_method_differs() {
-    if (traj::to_json_line(submission_) != file("submission.json")) {
-      return Refusal{
-          "submission.json",
-          "skyway-submit does not write it so: a member is unknown, or its form is another"};
-    }
-    const traj::SubmissionMethod& method = submission_.method;
-    map_.emplace(cli::open_map(name_of("map.boxmap"), geom::Verified::contents));
-    if (method.made_for.map != map_->hash() || method.made_for.frame != map_->spec().frame.axes) {
-      return Refusal{"submission.json",
-                     fmt::format("it is for another map than map.boxmap, {}", map_->hash())};
-    }
-    if (traj::zones_of(map_->spec()) != submission_.zones) {
-      return Refusal{"submission.json", "its zones are not those that the map's history names"};
-    }
-    if (method.risk.dimension != operation_.uas.dimension ||
-        method.endurance != operation_.uas.endurance) {
-      return Refusal{"submission.json",
-                     "its dimension and endurance are not those of the operation"};
-    }
-    if (!traj::autopilots_of(method.autopilot)) {
-      return Refusal{"submission.json", "it names an autopilot that nobody knows"};
-    }
-    if (auto why = why_tubes_differ()) return why;
-    if (submission_.flights != claims_.size()) {
-      return Refusal{"submission.json", fmt::format("it names {} flights, and claims.jsonl {}",
-                                                    submission_.flights, claims_.size())};
-    }
-    if (submission_.population) {
-      std::istringstream in(file("population.csv"));
-      const traj::Population population = traj::read_population(in, name_of("population.csv"));
-      if (traj::population_csv(population) != file("population.csv")) {
-        return Refusal{"population.csv", "its numbers are not written as this program writes them"};
-      }
-      people_.emplace(population, method.origin);
-    }
-    return std::nullopt;
-  }
-
-  // The tubes are believed as skyway-fly reported them: that they are proved stays unverified.
-  std::optional<Refusal> why_tubes_differ() {
-    const auto& tubes = submission_.method.tubes;
-    const traj::GeographyRule rule = submission_.method.risk.geography;
-    if (tubes.has_value() != (rule == traj::GeographyRule::proved_tube)) {
-      return Refusal{"submission.json",
-                     "its geography is of proved tubes, or not, and its tubes are not"};
-    }
-    if (!tubes) return std::nullopt;
-    if (!has(cli::kTubesFile)) return Refusal{"submission.json", "its tubes are not in the folder"};
-    const std::string text = file(cli::kTubesFile);
-    if (traj::listed_file(cli::kTubesFile, text).sha256 != tubes->sha256) {
-      return Refusal{cli::kTubesFile,
-                     fmt::format("it is not {}, whose hash submission.json has", tubes->name)};
-    }
-    std::istringstream in(text);
-    tubes_.emplace(traj::TubeReports::read(in, name_of(cli::kTubesFile)));
-    not_verified_.push_back(fmt::format("the proofs of the tubes in {}", cli::kTubesFile));
-    return std::nullopt;
-  }
-
-  // --- flights --------------------------------------------------------------------------------
-
-  struct Item {
-    std::size_t index = 0;
-    std::string text = {};  // its record; empty: a mission
-    std::string certificate = {};
-    cli::SubmittedFlight flight = {};
-    std::optional<Refusal> refusal = {};
-  };
-
-  std::optional<Refusal> why_flights_refused() {
-    const traj::SubmissionMethod& method = submission_.method;
-    geom::Scenes scenes(*map_, {method.made_for.vehicle, method.made_for.margin},
-                        geom::Differences::refused, geom::CollisionOptions().budget);
-    cli::MethodFiles files;
-    if (method.params) files.params = file(cli::kParamsFile);
-    if (method.geoid_grid) files.geoid_grid = file(cli::kGeoidFile);
-    if (tubes_) files.tubes = &*tubes_;
-    const cli::SubmittedFlights open(scenes, method, files);
-    std::vector<cli::SubmittedFlight> missions;
-    for (const std::string& name : submission_.missions) {
-      for (auto& mission : open.of_mission(file("missions/" + name), "missions/" + name)) {
-        missions.push_back(std::move(mission));
-      }
-    }
-    if (method.together) set_.emplace(*method.together);
-    if (auto why = first_refusal(open, missions)) return why;
-    return why_pairs_differ();
-  }
-
-  // The flights in their order: records, each with its certificate, and then missions.
-  std::optional<Refusal> first_refusal(const cli::SubmittedFlights& open,
-                                       std::vector<cli::SubmittedFlight>& missions) {
-    FileLines records = lines_in("flights.jsonl");
-    FileLines certificates = lines_in("certificates.jsonl");
-    std::optional<Refusal> first;
-    std::atomic<bool> refused = false;
-    std::size_t count = 0;
-    std::size_t of_missions = 0;
-    const auto next = [&]() -> std::optional<Item> {
-      if (refused) return std::nullopt;
-      auto text = records.next();
-      auto certificate = certificates.next();
-      Item item{count};
-      if (text.has_value() != certificate.has_value()) {
-        item.refusal =
-            Refusal{"certificates.jsonl", "it and flights.jsonl have other numbers of lines"};
-      } else if (text) {
-        item.text = *std::move(text);
-        item.certificate = *std::move(certificate) + '\n';
-      } else if (of_missions < missions.size()) {
-        item.flight = std::move(missions[of_missions++]);
-      } else {
-        return std::nullopt;
-      }
-      if (count++ >= claims_.size()) item.refusal = too_many_flights();
-      return item;
-    };
-    const auto work = [&](Item& item) {
-      if (item.refusal) return;
-      if (!item.flight.flight) {
-        item.flight = open.of_record(item.text, name_of("flights.jsonl"), item.index + 1);
-      }
-      item.refusal = why_refused(*item.flight.flight, claims_[item.index], item.certificate);
-    };
-    geom::in_order<Item>(common_.execution("flights"), kFolderFlights, next, work, [&](Item& item) {
-      if (!first) first = std::move(item.refusal);
-      refused = first.has_value();
-      if (set_ && !first) take(item);
-    });
-    if (!first && count != claims_.size()) first = too_many_flights();
-    return first;
-  }
-
-  FileLines lines_in(const std::string& name) const {
-    return has(name) ? FileLines(path_ / name) : FileLines();
-  }
-
-  Refusal too_many_flights() const {
-    return {"claims.jsonl", fmt::format("it has {}, and there are more or fewer flights",
-                                        geom::counted(claims_.size(), "line"))};
-  }
-
-  void take(const Item& item) {
-    const auto* record = dynamic_cast<const traj::SubmittedTrajectory*>(item.flight.flight.get());
-    if (record) record->add_to(*set_, name_of("flights.jsonl"), item.index + 1);
-  }
-
-  // Flights against one another.
-  std::optional<Refusal> why_pairs_differ() {
-    if (!set_ != !submission_.pairs) {
-      return Refusal{"submission.json", "it asks for pairs and names none, or the other way round"};
-    }
-    if (!set_) return std::nullopt;
-    const traj::ComparedFlights compared = traj::compare_flights(*set_, common_.execution("pairs"));
-    if (compared.found != *submission_.pairs) {
-      return Refusal{
-          "submission.json",
-          fmt::format("of {} of flights {} come too near, and it says another number "
-                      "or names others",
-                      geom::counted(compared.found.compared, "pair"), compared.found.refused)};
-    }
-    if (file("pairs.jsonl") != compared.records) {
-      return Refusal{"pairs.jsonl", "it does not say what the flights say"};
-    }
-    if (compared.found.refused > 0) return std::nullopt;
-    if (file("pair_certificates.jsonl") != compared.certificates) {
-      return Refusal{"pair_certificates.jsonl", "it does not hold the reasons of the proof"};
-    }
-    return std::nullopt;
-  }
-
-  std::optional<Refusal> why_refused(const traj::SubmittedFlight& flight,
-                                     const traj::FlightClaims& claims,
-                                     const std::string& certificate) const {
-    const std::string& id = flight.report().id;
-    if (const std::string why = flight.refusal(); !why.empty()) {
-      return Refusal{
-          "flights.jsonl",
-          id + ": " +
-              (traj::accepted(flight.report()) ? why : traj::in_words(flight.report(), *map_))};
-    }
-    if (!has(claims.volumes) || !has(claims.risk)) {
-      return Refusal{"claims.jsonl", id + ": its volumes or risk volumes are not in the folder"};
-    }
-    const std::string volumes = file(claims.volumes);
-    std::istringstream in(volumes);
-    const geom::IntentVolumes intent = geom::read_intent_volumes(in, name_of(claims.volumes));
-    if (traj::volumes_json(intent) != volumes) {
-      return Refusal{claims.volumes, "it is not written as this program writes volumes"};
-    }
-    if (const auto why = flight.why_not_held(intent)) return Refusal{claims.volumes, *why};
-    if (auto why = why_risk_differs(flight, intent, claims)) return why;
-    const auto* trajectory = dynamic_cast<const traj::SubmittedTrajectory*>(&flight);
-    if (trajectory && trajectory->certificate() != certificate) {
-      return Refusal{"certificates.jsonl", id + ": its certificate is not the one of its proof"};
-    }
-    return std::nullopt;
-  }
-
-  std::optional<Refusal> why_risk_differs(const traj::SubmittedFlight& flight,
-                                          const geom::IntentVolumes& intent,
-                                          const traj::FlightClaims& claims) const {
-    const std::string text = file(claims.risk);
-    const traj::ReadRisk risk = traj::read_risk_geojson(text, name_of(claims.risk));
-    if (traj::risk_geojson(flight.report().id, intent, risk.volumes) != text) {
-      return Refusal{claims.risk,
-                     "it is of another flight, or its flight geography is not that of "
-                     "the volumes"};
-    }
-    const traj::RiskTask task = flight.risk_task();
-    if (const auto why = traj::why_risk_not_held(intent, risk.volumes, task, claims.risk)) {
-      return Refusal{claims.risk, *why};
-    }
-    traj::FlightClaims derived = flight.claims(intent, risk.volumes);
-    derived.volumes = claims.volumes;
-    derived.risk = claims.risk;
-    if (people_) {
-      const traj::Exposed exposed = people_->exposed(risk.volumes.buffers);
-      if (!exposed.inside) {
-        return Refusal{"population.csv", claims.id +
-                                             ": its cells do not reach as far as the "
-                                             "ground risk buffer"};
-      }
-      derived.people = exposed.people;
-      derived.people_unknown = exposed.unknown;
-    }
-    const std::string expected = traj::to_json_line(derived);
-    if (traj::to_json_line(claims) == expected) return std::nullopt;
-    return Refusal{"claims.jsonl", fmt::format("{}: what follows from the other files is {}",
-                                               claims.id, expected.substr(0, expected.size() - 1))};
-  }
-
-  // What the folder says of itself.
-  std::optional<Refusal> why_too_near() const {
-    const auto& pairs = submission_.pairs;
-    if (!pairs || pairs->refused == 0) return std::nullopt;
-    return Refusal{"pairs.jsonl",
-                   fmt::format("{} of {} of flights come too near, as the folder says itself; the "
-                               "first: {} and {}",
-                               pairs->refused, geom::counted(pairs->compared, "pair"),
-                               pairs->named.front()[0], pairs->named.front()[1])};
-  }
-
-  // --- scripts --------------------------------------------------------------------------------
-
-  std::optional<Refusal> why_scripts_differ() {
-    for (const cli::VerifyScript& one : cli::verify_scripts()) {
-      const std::string name = "verify/" + std::string(one.name);
-      if (!has(name) || file(name) == one.text) continue;
-      if (submission_.made_by == "skyway " SKYWAY_VERSION) {
-        return Refusal{name, "it is not the script of this version of Skyway"};
-      }
-      not_verified_.push_back(name);
-    }
-    return std::nullopt;
-  }
-
-  const cli::Common& common_;
-  fs::path path_;
-  std::string hash_;
-  std::vector<traj::ListedFile> listed_;
-  std::set<std::string> names_;
-  traj::Operation operation_;
-  traj::Submission submission_;
-  std::vector<traj::FlightClaims> claims_;
-  std::optional<geom::BoxMap> map_;
-  std::optional<traj::PopulationOnMap> people_;
-  std::optional<traj::FlightSet> set_;  // of trajectories, where they are compared
-  std::optional<traj::TubeReports> tubes_;
-  std::vector<std::string> not_verified_;
-};
+// A stream that keeps its file.
+std::shared_ptr<std::istream> opened(const std::string& path) {
+  const auto file = std::make_shared<cli::InputFile>(path);
+  return {file, &file->stream()};
+}
 
 }  // namespace
 
 bool is_folder(const CLI::App& app, const std::string& path) {
   std::error_code error;
-  if (!fs::is_directory(path, error)) return false;
+  if (!std::filesystem::is_directory(path, error)) return false;
   static const std::set<std::string> with{"map",        "--output", "--threads",
                                           "--progress", "--stats",  "--quiet"};
   for (const CLI::Option* option : app.get_options()) {
@@ -435,23 +39,21 @@ bool is_folder(const CLI::App& app, const std::string& path) {
 
 cli::Exit check_folder(const cli::Common& common, const std::string& path,
                        const std::string& report) {
-  Folder folder(common, path);
-  const std::optional<Refusal> refusal = folder.refusal();
-  geom::JsonLine line;
-  line.add("type", "folder_report").add("ok", !refusal).add("manifest", folder.hash());
-  if (refusal) {
-    line.add("file", refusal->file).add("reason", refusal->why);
-    cli::complain("skyway-check", refusal->file + ": refused: " + refusal->why);
-  } else {
-    line.add("flights", folder.flights())
-        .add("files", folder.files())
-        .add("not_verified", folder.not_verified());
+  const traj::SubmissionCheck check = traj::check_submission(
+      path,
+      {.open = opened,
+       .open_map =
+           [](const std::string& map) { return cli::open_map(map, geom::Verified::contents); },
+       .flights = common.execution("flights"),
+       .pairs = common.execution("pairs")});
+  if (!check.ok()) {
+    cli::complain("skyway-check", check.refusal->file + ": refused: " + check.refusal->why);
   }
   cli::OutputFile out(report, cli::OutputKind::text);
-  out.stream() << line.line();
+  out.stream() << traj::to_json_line(check);
   out.commit();
-  common.write_stats({{"flights", folder.flights()}, {"ok", !refusal}});
-  return refusal ? cli::Exit::no : cli::Exit::yes;
+  common.write_stats({{"flights", check.flights}, {"ok", check.ok()}});
+  return check.ok() ? cli::Exit::yes : cli::Exit::no;
 }
 
 }  // namespace checking

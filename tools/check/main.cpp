@@ -303,8 +303,8 @@ int main(int argc, char** argv) {
         map, options.vehicle,
         options.override_record ? Differences::allowed : Differences::stricter_allowed);
     if (options.flight_log()) {
-      return options.flights.check(common, options.input, scenes, options.metres, sharding,
-                                   options.report);
+      return options.flights.check(
+          {common, options.input, scenes, options.metres, sharding, options.report});
     }
     if (options.contingencies.asked()) {
       return options.contingencies.check({common, file, scenes, options.drone_file.autopilot,

@@ -41,7 +41,22 @@ struct Outputs {
   std::string log = "-";  // or gains
   std::string report;
   std::string certificate;
+
+  void add_to(CLI::App& app) {
+    cli::add_output(app, "-o,--output", log,
+                    "flight log, CSV; with --tune gains (default: stdout)");
+    cli::add_output(app, "--report-file", report, "reports of the flights, JSON Lines");
+    cli::add_output(app, "--certificate", certificate,
+                    "with --proved-tube: why each tube holds, JSON Lines (docs/certificates.md)");
+  }
 };
+
+void add_sharding(CLI::App& app, cli::Sharding& sharding) {
+  sharding.add_to(app)->excludes("--tune");
+  sharding.add_join_to(app, "all shards of the runs, which are then read and not flown")
+      ->needs("--runs")
+      ->expected(1, -1);
+}
 
 // What must not be asked together.
 void check_usage(const fly::Options& options, const Inputs& inputs, const cli::Sharding& sharding,
@@ -93,10 +108,13 @@ void check_usage(const fly::Options& options, const Inputs& inputs, const cli::S
 }
 
 // What must not be asked alone.
-void check_needs(const CLI::App& app, const fly::Options& options, const Inputs& inputs) {
+void check_needs(const CLI::App& app, const fly::Options& options, const Inputs& inputs,
+                 const cli::VehicleOptions& vehicle) {
   cli::only_for(app, options.tune, {"--cost"}, "--tune");
   cli::SimulatedVehicleOptions::refuse_idle_disturbances(app, options.proves());
   cli::only_for(app, !inputs.map.empty(), {"--metres"}, "flights over a map");
+  if (!vehicle.word.empty()) return;
+  throw cli::UsageError("no vehicle: give --vehicle, such as tello or FILE.json");
 }
 
 // "0.0118" or, where a flight was lost or a tube not proved, that.
@@ -211,6 +229,12 @@ traj::SimulationOptions simulation(const fly::Options& options, const cli::Vehic
   return out;
 }
 
+// The margin of a record was kept for what happens here.
+cli::VehicleOptions flown_as(cli::VehicleOptions vehicle) {
+  vehicle.margin = vehicle.margin.value_or(0);
+  return vehicle;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -223,25 +247,16 @@ int main(int argc, char** argv) {
   app.add_option("map_and_file", files,
                  "box map, then trajectories (default: stdin); without a map, trajectories alone")
       ->expected(0, 2);
-  cli::add_output(app, "-o,--output", outputs.log,
-                  "flight log, CSV; with --tune gains (default: stdout)");
-  cli::add_output(app, "--report-file", outputs.report, "reports of the flights, JSON Lines");
-  cli::add_output(app, "--certificate", outputs.certificate,
-                  "with --proved-tube: why each tube holds, JSON Lines (docs/certificates.md)");
+  outputs.add_to(app);
   vehicle.add_to(app);
   vehicle.add_memory_to(app);
   options.add_to(app);
   cli::Sharding sharding;
-  sharding.add_to(app)->excludes("--tune");
-  sharding.add_join_to(app, "all shards of the runs, which are then read and not flown")
-      ->needs("--runs")
-      ->expected(1, -1);
+  add_sharding(app, sharding);
   return cli::run_tool(app, argc, argv, [&] {
     const Inputs inputs = inputs_of(files);
     check_usage(options, inputs, sharding, outputs);
-    check_needs(app, options, inputs);
-    if (vehicle.word.empty())
-      throw cli::UsageError("no vehicle: give --vehicle, such as tello or FILE.json");
+    check_needs(app, options, inputs, vehicle);
     sharding.begin(app, {{"map", inputs.map}, {"trajectories", inputs.trajectories}},
                    {{"output", outputs.log},
                     {"report-file", outputs.report},
@@ -254,9 +269,7 @@ int main(int argc, char** argv) {
     std::vector<geom::ShardFile> shards = sharding.shards();
     const bool runs_only = sharding.asked() && options.runs > 0;
     std::optional<cli::Scenes> scenes;
-    cli::VehicleOptions flown = vehicle;
-    flown.margin = vehicle.margin.value_or(0);  // a record's was kept for what happens here
-    if (map) scenes.emplace(*map, flown, cli::Scenes::Differences::allowed);
+    if (map) scenes.emplace(*map, flown_as(vehicle), cli::Scenes::Differences::allowed);
     const traj::SimulationOptions asked =
         simulation(options, vehicle, !outputs.certificate.empty());
     traj::SimulatedFlights mission(asked, scenes ? &*scenes : nullptr);

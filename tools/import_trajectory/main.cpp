@@ -99,13 +99,8 @@ void add_gap(CLI::App& app, double& gap) {
       ->check(CLI::Range(0.0, 1.0));
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  CLI::App app{"Read a drone file as a trajectory or a path.", "skyway-import-trajectory"};
-  cli::Common common(app);
-  cli::DroneFileOptions options{.format = cli::kAuto};
-  options.app = &app;
+struct Options {
+  cli::DroneFileOptions file{.format = cli::kAuto};
   cli::VehicleOptions vehicle;
   std::string input;
   std::string output = "-";
@@ -115,9 +110,15 @@ int main(int argc, char** argv) {
   double gap = 1e-3;
   geom::FlightTime time;
   cli::MetresOption metres;
+
+  void add_to(CLI::App& app);
+};
+
+void Options::add_to(CLI::App& app) {
+  file.app = &app;
   app.add_option("file", input, "Crazyflie CSV, WPL, QGroundControl plan, … ; - for stdin")
       ->required();
-  app.add_option("--format", options.format,
+  app.add_option("--format", file.format,
                  "what the file is (default: found out from its beginning)")
       ->check(CLI::IsMember(cli::drone_file_words("skyway-import-trajectory")));
   CLI::Option* const map_option =
@@ -126,10 +127,10 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember({"enu", "neu"}))
       ->excludes(map_option);
   vehicle.add_to(app);
-  cli::add_placement(app, options.reading.placement);
-  options.add_heights_to(app);
+  cli::add_placement(app, file.reading.placement);
+  file.add_heights_to(app);
   cli::add_point(
-      app, "--takeoff-place", options.reading.start,
+      app, "--takeoff-place", file.reading.start,
       "where a Tello stands before it takes off, along the axes of --frame or of the map");
   metres.add_to(app);
   add_gap(app, gap);
@@ -137,30 +138,53 @@ int main(int argc, char** argv) {
   app.add_option("--id", id, "id of the record (default: the file's name)");
   cli::add_output(app, "-o,--output", output,
                   "trajectories or paths, JSON Lines (default: stdout)");
+}
+
+// The flights of the file; one has the id that was asked for.
+std::vector<traj::FileFlight> read(cli::InputFile& file, const Options& options,
+                                   const geom::Frame& frame) {
+  auto flights = cli::read_drone_file(file.read_all(), file.name(), options.file, frame);
+  if (options.id.empty()) return flights;
+  if (flights.size() > 1) throw cli::UsageError("--id names one record, found more");
+  flights.front().id = options.id;
+  return flights;
+}
+
+// Throws for what is no record, and for degrees where metres are expected.
+void require_record(const traj::FileFlight& flight, const Options& options,
+                    const geom::Frame& frame) {
+  if (std::holds_alternative<traj::FlownSetpoints>(flight.flown.way)) {
+    throw cli::UsageError("setpoints are no trajectory: skyway-check reads them");
+  }
+  if (flight.format->is_flown) return;
+  options.metres.check_input(frame, traj::legs_of(flight.flown)->path, flight.id, 0);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Read a drone file as a trajectory or a path.", "skyway-import-trajectory"};
+  cli::Common common(app);
+  Options options;
+  options.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
-    cli::at_most_one_stdin({input, map});
-    if (const auto fault = geom::time_fault(time)) throw cli::UsageError(sentence(*fault));
-    cli::InputFile file(input);
-    Importer importer{common, file.name(), gap, {}, time};
-    const geom::Frame frame = frame_of(map, axes, importer.provenance);
-    const geom::AskedRoom room = vehicle.asked(vehicle.profile());
+    cli::at_most_one_stdin({options.input, options.map});
+    if (const auto fault = geom::time_fault(options.time)) throw cli::UsageError(sentence(*fault));
+    cli::InputFile file(options.input);
+    Importer importer{common, file.name(), options.gap, {}, options.time};
+    const geom::Frame frame = frame_of(options.map, options.axes, importer.provenance);
+    const geom::AskedRoom room = options.vehicle.asked(options.vehicle.profile());
     importer.provenance.vehicle = room.vehicle;
     importer.provenance.margin = room.margin;
-    auto read = cli::read_drone_file(file.read_all(), file.name(), options, frame);
-    if (!id.empty() && read.size() > 1) throw cli::UsageError("--id names one record, found more");
-    if (!id.empty()) read.front().id = id;
-    cli::OutputFile out(output, cli::OutputKind::text);
-    for (const traj::FileFlight& one : read) {
-      if (std::holds_alternative<traj::FlownSetpoints>(one.flown.way)) {
-        throw cli::UsageError("setpoints are no trajectory: skyway-check reads them");
-      }
-      if (!one.format->is_flown) {
-        metres.check_input(frame, traj::legs_of(one.flown)->path, one.id, 0);
-      }
+    const auto flights = read(file, options, frame);
+    cli::OutputFile out(options.output, cli::OutputKind::text);
+    for (const traj::FileFlight& one : flights) {
+      require_record(one, options, frame);
       out.stream() << importer.line(one);
     }
     out.commit();
-    common.write_stats({{"records", read.size()}, {"format", read.front().format->format.word}});
+    common.write_stats(
+        {{"records", flights.size()}, {"format", flights.front().format->format.word}});
     return cli::Exit::yes;
   });
 }

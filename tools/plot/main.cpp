@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "clearance.h"
 #include "cli/content/contents.h"
 #include "cli/file/ending.h"
 #include "cli/file/files.h"
@@ -14,17 +13,17 @@
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
 #include "cli/tell.h"
-#include "comparison.h"
-#include "fleet.h"
 #include "geom/base/error.h"
+#include "geom/figure/plan_view.h"
 #include "geom/text/counted.h"
 #include "geom/text/excerpt.h"
-#include "home.h"
-#include "motion_profile.h"
-#include "plan_view.h"
-#include "tracking.h"
+#include "plan/bench/compared_figure.h"
 #include "tracks.h"
 #include "traj/curve/to_enu.h"
+#include "traj/figure/fleet.h"
+#include "traj/figure/home.h"
+#include "traj/figure/motion_profile.h"
+#include "traj/figure/tracking.h"
 #include "traj/proof/domain.h"
 #include "traj/record/tube_reports.h"
 
@@ -95,13 +94,14 @@ std::string plan(const Options& options) {
   const geom::BoxMap map = cli::open_map(options.map, geom::Verified::extents);
   const cli::Contents contents = read(options, &map);
   const geom::Axes axes = map.spec().frame.axes;
-  return plot::plan_view(map, plot::plan_trees(contents, axes), plot::plan_lines(contents, axes));
+  return geom::figure::plan_view(map, plot::plan_trees(contents, axes),
+                                 plot::plan_lines(contents, axes));
 }
 
 std::string profile(const Options& options) {
   const cli::Contents contents = read(options, nullptr);
   const auto drawn = one_of(contents.trajectories, options, "a solved trajectory");
-  return plot::motion_profile(drawn.record, drawn.note);
+  return traj::figure::motion_profile(drawn.record, drawn.note);
 }
 
 // The trajectory of the flight's id, else the first.
@@ -132,12 +132,12 @@ std::string tracking(const Options& options) {
   const cli::Contents contents = read(
       options, nullptr, {.reports = true, .expected = "a trajectory or a report of skyway-fly"});
   const auto drawn = one_of(contents.flights, options, "a flight log");
-  if (contents.trajectories.empty()) return plot::tracking(drawn.record, drawn.note);
+  if (contents.trajectories.empty()) return traj::figure::tracking(drawn.record, drawn.note);
   cli::require_same_map(contents, nullptr);
   const traj::TrajectoryRecord& plan = plan_of(drawn.record, contents);
   const traj::Trajectory enu =
       traj::to_enu(plan.provenance.frame.value_or(geom::Axes::enu), plan.trajectory);
-  return plot::tracking(drawn.record, drawn.note, &enu, tube_of(plan, options, contents));
+  return traj::figure::tracking(drawn.record, drawn.note, &enu, tube_of(plan, options, contents));
 }
 
 // What the title says of paths that are not drawn, because what moves is.
@@ -174,25 +174,26 @@ std::string clearance(const Options& options) {
   if (contents.trajectories.empty() && contents.flights.empty()) require_same_room(contents.paths);
   const plot::Tracks tracks = plot::tracks_of(contents, scene);
   first_of(tracks.list, options, "a path, a trajectory or a flight of some length");
-  return plot::clearance(scene, tracks.list, tracks.x_label, paths_left_out(contents, options));
+  return traj::figure::clearance(scene, tracks.list, tracks.x_label,
+                                 paths_left_out(contents, options));
 }
 
 std::string bench(const Options& options) {
-  std::vector<plot::Comparison> reports;
+  std::vector<plan::bench::ShownReport> reports;
   for (const std::string& input : options.inputs) {
     cli::InputFile file(input);
     const geom::JsonFields fields(file.read_all(), file.name(), 0);
     reports.push_back(
-        plot::parse_comparison(fields, std::filesystem::path(file.name()).stem().string()));
+        plan::bench::parse_report(fields, std::filesystem::path(file.name()).stem().string()));
   }
-  return plot::comparison(reports);
+  return plan::bench::compared_figure(reports);
 }
 
 std::string fleet(const Options& options) {
   const cli::Contents contents = read(options, nullptr);
   cli::require_same_map(contents, nullptr);
   const auto& first = first_of(contents.trajectories, options, "solved trajectories").record;
-  std::vector<plot::FleetFlight> flights;
+  std::vector<traj::figure::FleetFlight> flights;
   std::vector<traj::TimedFlight> timed;
   for (const auto& [record, source, line] : contents.trajectories) {
     geom::require_epoch_agrees(record.time.epoch, first.time.epoch, source, line);
@@ -215,7 +216,7 @@ std::string fleet(const Options& options) {
   } else {
     approaches = traj::nearest_approaches(timed, 2 * timed.size(), kFarthest, run);
   }
-  return plot::fleet(flights, approaches);
+  return traj::figure::fleet(flights, approaches);
 }
 
 std::string home(const Options& options) {
@@ -225,12 +226,12 @@ std::string home(const Options& options) {
   cli::Contents contents = cli::read_contents(options.inputs, kinds);
   cli::require_same_map(contents, nullptr);
   cli::drop_failed(contents);
-  std::vector<plot::HomeFlight> flights =
+  std::vector<traj::figure::HomeFlight> flights =
       plot::home_flights(contents, options.id.empty() ? std::nullopt : std::optional(options.id));
   first_of(flights, options,
            "reports with returns (skyway-check --return) or planned ways home (skyway-plan "
            "--home)");
-  return flights.size() == 1 ? plot::home(flights.front()) : plot::homes(flights);
+  return flights.size() == 1 ? traj::figure::home(flights.front()) : traj::figure::homes(flights);
 }
 
 struct Verb {

@@ -1,21 +1,23 @@
 #pragma once
 
-// What was read, as the plots want it: paths that were found and trajectories that were solved.
+// What was read, as the figures want it: paths that were found and trajectories that were solved.
 
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "clearance.h"
 #include "cli/content/contents.h"
-#include "plan_view.h"
+#include "geom/figure/plan_view.h"
+#include "traj/figure/clearance.h"
+#include "traj/figure/home_flights.h"
 
 namespace plot {
 
-std::vector<PlanTree> plan_trees(const cli::Contents& contents, geom::Axes axes);
-std::vector<PlanLine> plan_lines(const cli::Contents& contents, geom::Axes axes);
+std::vector<geom::figure::PlanTree> plan_trees(const cli::Contents& contents, geom::Axes axes);
+std::vector<geom::figure::PlanLine> plan_lines(const cli::Contents& contents, geom::Axes axes);
 
 struct Tracks {
-  std::vector<ClearanceTrack> list;
+  std::vector<traj::figure::ClearanceTrack> list;
   std::string x_label;
 };
 
@@ -24,5 +26,10 @@ struct Tracks {
 Tracks tracks_of(const cli::Contents& contents, const geom::CollisionScene& scene);
 
 geom::Provenance provenance_of(const cli::Contents& contents);  // of the first in tracks_of
+
+// Flights that have a report with returns, or planned ways; with an `id` only that. One flight
+// alone has the height of the trajectory of its id, else of the flight log.
+std::vector<traj::figure::HomeFlight> home_flights(const cli::Contents& contents,
+                                                   const std::optional<std::string>& id = {});
 
 }  // namespace plot

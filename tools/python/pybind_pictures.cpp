@@ -1,14 +1,14 @@
 // Pictures and the page, as text.
 
 #include "cli/content/contents.h"
-#include "plot/clearance.h"
-#include "plot/motion_profile.h"
-#include "plot/plan_view.h"
-#include "plot/tracking.h"
+#include "geom/figure/plan_view.h"
 #include "plot/tracks.h"
 #include "pybind_arrays.h"
 #include "pybind_module.h"
 #include "traj/curve/to_enu.h"
+#include "traj/figure/clearance.h"
+#include "traj/figure/motion_profile.h"
+#include "traj/figure/tracking.h"
 #include "view/layers.h"
 #include "view/page.h"
 
@@ -51,10 +51,10 @@ cli::Contents contents_of(const BoxMap* map, const py::list& records) {
 }
 
 // A map without obstacles and with some room around the lines.
-BoxMap empty_map(const std::vector<plot::PlanLine>& lines) {
+BoxMap empty_map(const std::vector<geom::figure::PlanLine>& lines) {
   if (lines.empty()) throw py::value_error("records: expected something to draw, found none");
   geom::Aabb bounds{lines.front().points.front(), lines.front().points.front()};
-  for (const plot::PlanLine& line : lines) {
+  for (const geom::figure::PlanLine& line : lines) {
     for (const geom::Vec3& p : line.points) {
       bounds = {bounds.min.cwiseMin(p), bounds.max.cwiseMax(p)};
     }
@@ -71,11 +71,11 @@ std::string plan_svg(const BoxMap* map, const py::list& records) {
   const auto own = plot::provenance_of(contents).frame;
   const geom::Axes axes = map ? map->spec().frame.axes : own.value_or(geom::Axes::enu);
   const auto lines = plot::plan_lines(contents, axes);
-  return plot::plan_view(map ? *map : empty_map(lines), {}, lines);
+  return geom::figure::plan_view(map ? *map : empty_map(lines), {}, lines);
 }
 
 std::string profile_svg(const traj::TrajectoryRecord& record) {
-  if (record.status == traj::TrajectoryStatus::solved) return plot::motion_profile(record);
+  if (record.status == traj::TrajectoryStatus::solved) return traj::figure::motion_profile(record);
   throw py::value_error("trajectory: expected a solved one, found \"" +
                         std::string(name(record.status)) + '"');
 }
@@ -86,16 +86,17 @@ std::string clearance_svg(const Scene& scene, const py::list& records) {
   cli::Contents contents = contents_of(&map, records);
   cli::drop_failed(contents);
   const plot::Tracks tracks = plot::tracks_of(contents, scene.scene);
-  if (!tracks.list.empty()) return plot::clearance(scene.scene, tracks.list, tracks.x_label);
+  if (!tracks.list.empty())
+    return traj::figure::clearance(scene.scene, tracks.list, tracks.x_label);
   throw py::value_error(
       "records: expected a path, a trajectory or a flight of some length, found none");
 }
 
 std::string tracking_svg(const traj::FlightLog& flight, const traj::TrajectoryRecord* planned) {
-  if (!planned) return plot::tracking(flight);
+  if (!planned) return traj::figure::tracking(flight);
   const traj::Trajectory enu =
       traj::to_enu(planned->provenance.frame.value_or(geom::Axes::enu), planned->trajectory);
-  return plot::tracking(flight, "", &enu);
+  return traj::figure::tracking(flight, "", &enu);
 }
 
 std::string page_html(const BoxMap* map, const py::list& records, const py::list& reports,

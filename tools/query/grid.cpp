@@ -36,44 +36,9 @@ geom::CellGrid2 grid_over(const geom::Aabb& bounds, double cell) {
 
 #ifdef SKYWAY_FOOTPRINTS
 
-using Values = std::vector<double>;
-
-// The grid of a map with its values east and north, the northern row first.
-class Turned {
- public:
-  Turned(const geom::CellGrid2& grid, geom::Axes axes) : grid_(grid), axes_(axes) {
-    const bool enu = axes == geom::Axes::enu;
-    out_.columns = enu ? grid.columns : grid.rows;
-    out_.rows = enu ? grid.rows : grid.columns;
-    out_.cell = grid.cell;
-    out_.corner = enu ? grid.corner : geom::Vec2(grid.corner.y(), grid.corner.x());
-  }
-
-  void add(std::string name, std::string what, const Values& values) {
-    Values turned;
-    turned.reserve(values.size());
-    for (std::size_t i = 0; i < out_.rows; ++i) {
-      const std::size_t north = out_.rows - 1 - i;
-      for (std::size_t east = 0; east < out_.columns; ++east) {
-        const bool enu = axes_ == geom::Axes::enu;
-        turned.push_back(values[enu ? north * grid_.columns + east : east * grid_.columns + north]);
-      }
-    }
-    out_.bands.push_back({std::move(name), std::move(what), std::move(turned)});
-  }
-
-  const geom::gis::NumberGrid& grid() const { return out_; }
-
- private:
-  const geom::CellGrid2& grid_;
-  geom::Axes axes_;
-  geom::gis::NumberGrid out_;
-};
-
-std::string geotiff(const Turned& turned, const geom::Frame& frame) {
-  return cli::made_elsewhere(".tif", [&](const std::string& path) {
-    geom::gis::write_geotiff(path, turned.grid(), frame);
-  });
+std::string geotiff(const geom::gis::NumberGrid& grid, const geom::Frame& frame) {
+  return cli::made_elsewhere(
+      ".tif", [&](const std::string& path) { geom::gis::write_geotiff(path, grid, frame); });
 }
 
 #endif
@@ -105,24 +70,27 @@ void Grid::write(const geom::CollisionScene& scene, const std::string& output,
 #ifdef SKYWAY_FOOTPRINTS
   const geom::Frame& frame = scene.map().spec().frame;
   const geom::CellGrid2 grid = grid_over(scene.map().spec().bounds, cell_);
-  Turned turned(grid, frame.axes);
+  geom::gis::NumberGrid numbers = geom::gis::number_grid(grid, frame.axes);
+  const auto add = [&](const char* name, std::string what, const std::vector<double>& values) {
+    numbers.bands.push_back(
+        {name, std::move(what), geom::gis::from_north(grid, frame.axes, values)});
+  };
   if (what_ == "heights") {
     const geom::FreeHeights heights = geom::free_heights(scene, grid, run);
-    turned.add("highest",
-               "m in the map's z: up to here the reference point is free in all of the "
-               "cell, from lowest on",
-               heights.highest);
-    turned.add("lowest", "m in the map's z: from here on it is free, up to highest",
-               heights.lowest);
+    add("highest",
+        "m in the map's z: up to here the reference point is free in all of the "
+        "cell, from lowest on",
+        heights.highest);
+    add("lowest", "m in the map's z: from here on it is free, up to highest", heights.lowest);
   } else {
-    turned.add("distance",
-               fmt::format("m: no obstacle is nearer to the vehicle at z = {:g} m anywhere in the "
-                           "cell",
-                           *height_),
-               geom::distances_at(scene, grid, *height_, run));
+    add("distance",
+        fmt::format("m: no obstacle is nearer to the vehicle at z = {:g} m anywhere in the "
+                    "cell",
+                    *height_),
+        geom::distances_at(scene, grid, *height_, run));
   }
   cli::OutputFile out(output, cli::OutputKind::artefact);
-  out.stream() << geotiff(turned, frame);
+  out.stream() << geotiff(numbers, frame);
   out.commit();
 #else
   (void)scene, (void)output, (void)run;

@@ -8,14 +8,18 @@
 #include "cli/run.h"
 #include "cli/tell.h"
 #include "geom/base/error.h"
+#include "geom/picture/film.h"
 #include "geom/text/counted.h"
 #include "options.h"
 #include "shoot.h"
+#include "traj/flight/moving_vehicle.h"
 
 namespace {
 
-std::vector<render::Motion> motions_of(const cli::Contents& contents, geom::Axes axes) {
-  std::vector<render::Motion> out;
+constexpr double kSecondsBetween = 0.05;  // of the points of a way
+
+std::vector<traj::MovingVehicle> motions_of(const cli::Contents& contents, geom::Axes axes) {
+  std::vector<traj::MovingVehicle> out;
   for (const auto& [record, source, line] : contents.trajectories) {
     out.emplace_back(record.id, record.trajectory, axes);
   }
@@ -24,10 +28,10 @@ std::vector<render::Motion> motions_of(const cli::Contents& contents, geom::Axes
 }
 
 // A flight is rather flown than the trajectory that it follows.
-const render::Motion* flown(const std::vector<render::Motion>& motions,
-                            const render::Options& options) {
-  const render::Motion* best = nullptr;
-  for (const render::Motion& motion : motions) {
+const traj::MovingVehicle* flown(const std::vector<traj::MovingVehicle>& motions,
+                                 const render::Options& options) {
+  const traj::MovingVehicle* best = nullptr;
+  for (const traj::MovingVehicle& motion : motions) {
     if (!options.id.empty() && motion.id() != options.id) continue;
     if (!best || (motion.is_flight() && !best->is_flight())) best = &motion;
   }
@@ -48,10 +52,35 @@ const render::Motion* flown(const std::vector<render::Motion>& motions,
   return best;
 }
 
+// Trees first, then paths, then what moves.
+std::vector<geom::picture::Line> lines_of(const cli::Contents& contents,
+                                          const std::vector<traj::MovingVehicle>& motions,
+                                          geom::Axes axes) {
+  std::vector<geom::picture::Line> out;
+  for (const auto& [record, source, line] : contents.trees) {
+    const plan::SearchTree& tree = record.tree;
+    for (std::size_t i = 0; i < tree.points.size(); ++i) {
+      if (tree.parent[i] == i) continue;
+      out.push_back(geom::picture::tree_line(tree.tree[i],
+                                             geom::to_enu(axes, tree.points[tree.parent[i]]),
+                                             geom::to_enu(axes, tree.points[i])));
+    }
+  }
+  std::size_t ways = 0;
+  for (const auto& [path, source, line] : contents.paths) {
+    out.push_back(geom::picture::way_line(ways++, path.id, {}));
+    for (const geom::Vec3& p : path.points) out.back().points.push_back(geom::to_enu(axes, p));
+  }
+  for (const traj::MovingVehicle& motion : motions) {
+    out.push_back(geom::picture::way_line(ways++, motion.id(), motion.way(kSecondsBetween)));
+  }
+  return out;
+}
+
 constexpr double kMostFrames = 1e7;
 constexpr std::size_t kMostIds = 0xffffff;  // of three bytes; 0 is no box
 
-render::Times times_of(const render::Options& options, const render::Motion* motion) {
+render::Times times_of(const render::Options& options, const traj::MovingVehicle* motion) {
   if (options.at) {
     if (*options.at < motion->begin() || *options.at > motion->end()) {
       throw cli::UsageError(fmt::format("--at: expected a time from {} to {} s, found {}",
@@ -98,10 +127,11 @@ int main(int argc, char** argv) {
     }
     const geom::Axes axes = map.spec().frame.axes;
     const auto motions = motions_of(contents, axes);
-    const render::Motion* motion = flown(motions, options);
+    const traj::MovingVehicle* motion = flown(motions, options);
     const geom::Execution run = common.execution("frames");
-    const render::Film film(map, render::lines_of(contents, motions, axes), motion, options.film,
-                            run);
+    geom::picture::FilmContent content{lines_of(contents, motions, axes)};
+    if (motion) content.vehicle = motion->filmed();
+    const geom::picture::Film film(map, std::move(content), options.film, run);
     common.write_stats(render::shoot(film, times_of(options, motion), options, run));
     return cli::Exit::yes;
   });

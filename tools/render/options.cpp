@@ -7,15 +7,17 @@
 
 #include "cli/file/ending.h"
 #include "cli/file/files.h"
+#include "cli/file/frame_output.h"
 #include "cli/option/numbers_option.h"
 #include "cli/option/option_check.h"
 #include "cli/option/output_option.h"
 #include "cli/run.h"
 #include "geom/text/words.h"
-#include "render/image/frame_output.h"
 
 namespace render {
 namespace {
+
+using geom::picture::FilmKind;
 
 constexpr double kDegree = 0.017453292519943295;
 constexpr int kMostPixels = 16384;
@@ -23,19 +25,21 @@ constexpr int kMostPixels = 16384;
 constexpr geom::Words<ColourFormat, 3> kColourFormatWords{
     {{ColourFormat::by_name, "auto"}, {ColourFormat::png, "png"}, {ColourFormat::y4m, "y4m"}}};
 
-void add_colour_format(CLI::App& app, ColourFormat& format) {
-  std::vector<std::string> words;
-  for (const auto& [value, word] : kColourFormatWords) words.emplace_back(word);
-  app.add_option_function<std::string>(
-         "--format",
-         [&format](const std::string& word) { format = *geom::value_of(kColourFormatWords, word); },
-         "format of the colour: png, y4m, or auto (by the name)")
-      ->check(CLI::IsMember(words))
-      ->default_str(std::string(geom::word_of(kColourFormatWords, format)));
+// An option that says a value by one of the words.
+template <class Enum, std::size_t N>
+CLI::Option* add_choice(CLI::App& app, const char* flag, Enum& value,
+                        const geom::Words<Enum, N>& words) {
+  std::vector<std::string> known;
+  for (const auto& [each, word] : words) known.emplace_back(word);
+  return app
+      .add_option_function<std::string>(
+          flag, [&](const std::string& word) { value = *geom::value_of(words, word); })
+      ->check(CLI::IsMember(known))
+      ->default_str(std::string(geom::word_of(words, value)));
 }
 
 // "1280x960".
-void parse_size(const std::string& word, FilmOptions& film) {
+void parse_size(const std::string& word, geom::picture::FilmOptions& film) {
   const auto numbers = [&]() -> std::optional<std::vector<double>> {
     std::string text = word;
     const std::size_t cross = text.find('x');
@@ -53,11 +57,9 @@ void parse_size(const std::string& word, FilmOptions& film) {
 }
 
 // An angle that options say in degrees.
-void add_angle(CLI::App& app, const char* flag, double& radians, double low, double high,
-               const char* words) {
-  app.add_option_function<double>(
-         flag, [&radians](double degrees) { radians = degrees * kDegree; }, words)
-      ->check(CLI::Range(low, high));
+CLI::Option* add_angle(CLI::App& app, const char* flag, double& radians, const char* words) {
+  return app.add_option_function<double>(
+      flag, [&radians](double degrees) { radians = degrees * kDegree; }, words);
 }
 
 }  // namespace
@@ -66,9 +68,8 @@ void Options::add_to(CLI::App& app) {
   app.add_option("map", map, "box map; - for stdin")->required();
   app.add_option("files", inputs,
                  "trajectories, flight logs, paths and search trees; the first motion is flown");
-  app.add_option("--view", film.kind, "first-person, plan, overview or combined")
-      ->check(CLI::IsMember({"first-person", "plan", "overview", "combined"}))
-      ->capture_default_str();
+  add_choice(app, "--view", film.kind, geom::picture::kFilmKindWords)
+      ->description("first-person, plan, overview or combined");
   app.add_option("--id", id,
                  "the trajectory or flight to fly (default: the first flight, else trajectory)");
   app.add_option("--camera", camera_file, "camera model, JSON (default: 640 x 480, 80 degrees)");
@@ -77,16 +78,19 @@ void Options::add_to(CLI::App& app) {
       ->capture_default_str();
   app.add_option("--at", at, "one picture, at this time (s)")->check(CLI::Range(-1e9, 1e9));
   app.add_option("--image-size", size, "WIDTHxHEIGHT of a plan or an overview (default: 1280x960)");
-  add_angle(app, "--azimuth", film.overview.azimuth, -360, 360,
-            "overview: look this way, degrees from north clockwise (default: 34)");
-  add_angle(app, "--elevation", film.overview.elevation, 1, 89,
-            "overview: look down by so many degrees (default: 34)");
+  add_angle(app, "--azimuth", film.overview.azimuth,
+            "overview: look this way, degrees from north clockwise (default: 34)")
+      ->check(CLI::Range(-360.0, 360.0));
+  add_angle(app, "--elevation", film.overview.elevation,
+            "overview: look down by so many degrees (default: 34)")
+      ->check(CLI::Range(1.0, 89.0));
   metres.add_to(app);
   app.add_flag("--shadows", film.light.shadows, "the sun casts soft shadows");
   app.add_option("--samples", samples,
                  "rays a side of each pixel (default: 1 through the camera, else 3)")
       ->check(CLI::Range(1, 8));
-  add_colour_format(app, format);
+  add_choice(app, "--format", format, kColourFormatWords)
+      ->description("format of the colour: png, y4m, or auto (by the name)");
   cli::add_output(app, "-o,--output", colour,
                   "colour: .y4m for a video, or .png, numbered as in f-%05d.png (default: stdout)");
   cli::add_output(app, "--depth", depth, "depth along the optical axis: .png (16 bit) or .pfm (m)");
@@ -104,10 +108,12 @@ bool Options::is_video() const {
   return has_eye() && !at;
 }
 
-bool Options::is_moving() const { return !at && (has_eye() || is_video() || is_numbered(colour)); }
+bool Options::is_moving() const {
+  return !at && (has_eye() || is_video() || cli::is_numbered(colour));
+}
 
 void Options::refuse_idle(const CLI::App& app) const {
-  const bool over = film.kind == "overview" || film.kind == "combined";
+  const bool over = film.kind == FilmKind::overview || film.kind == FilmKind::combined;
   cli::only_for(app, over, {"--azimuth", "--elevation"}, "overviews");
   cli::only_for(app, has_eye(), {"--camera"}, "views through the camera");
   cli::only_for(app, is_moving(), {"--rate"}, "videos and numbered pictures");
@@ -136,7 +142,7 @@ void Options::settle() {
   require_endings();
   if (!camera_file.empty()) {
     cli::InputFile file(camera_file);
-    film.camera = parse_camera(geom::JsonFields(file.read_all(), camera_file, 0));
+    film.camera = geom::picture::parse_camera(geom::JsonFields(file.read_all(), camera_file, 0));
   }
   if (!size.empty()) {
     if (has_eye())

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cli/option/degrees.h"
-#include "film.h"
+#include "geom/picture/film.h"
 
 namespace render {
 
@@ -30,7 +30,7 @@ struct Options {
   std::optional<double> at;
   std::optional<int> samples;
   std::string size;
-  FilmOptions film;
+  geom::picture::FilmOptions film;
   cli::MetresOption metres;
 
   void add_to(CLI::App& app);
@@ -41,7 +41,7 @@ struct Options {
   void require_endings() const;
   void refuse_idle(const CLI::App& app) const;  // UsageError for options that change nothing
 
-  bool has_eye() const { return film.kind == "first-person" || film.kind == "combined"; }
+  bool has_eye() const { return geom::picture::has_eye(film.kind); }
   bool is_video() const;   // colour goes into one stream
   bool is_moving() const;  // there is more than one picture
 };

@@ -4,13 +4,26 @@
 #include <chrono>
 #include <ctime>
 
+#include "cli/file/frame_output.h"
 #include "geom/base/parallel.h"
-#include "render/image/frame_output.h"
-#include "render/image/png_image.h"
-#include "render/picture_names.h"
+#include "geom/picture/camera_poses.h"
+#include "geom/picture/image_file.h"
+#include "geom/picture/png_image.h"
 
 namespace render {
 namespace {
+
+using cli::FrameOutput;
+using geom::picture::kPosesHeader;
+using geom::picture::Picture;
+
+using geom::picture::colour_png;
+using geom::picture::depth_png;
+using geom::picture::id_png;
+using geom::picture::pfm;
+using geom::picture::pose_row;
+using geom::picture::y4m_frame;
+using geom::picture::y4m_header;
 
 constexpr std::size_t kBatch = 8;  // frames in memory at a time; more with more threads
 
@@ -75,8 +88,8 @@ struct Outputs {
 
 }  // namespace
 
-nlohmann::ordered_json shoot(const Film& film, const Times& times, const Options& options,
-                             const geom::Execution& run) {
+nlohmann::ordered_json shoot(const geom::picture::Film& film, const Times& times,
+                             const Options& options, const geom::Execution& run) {
   Outputs to{FrameOutput(options.colour, times.size(), options.is_video()),
              FrameOutput(options.depth, times.size(), false),
              FrameOutput(options.ids, times.size(), false),

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "film.h"
 #include "geom/base/execution.h"
+#include "geom/picture/film.h"
 #include "options.h"
 
 namespace render {
@@ -16,7 +16,7 @@ using Times = std::vector<std::optional<double>>;  // seconds; nothing: no vehic
 
 // Writes what the options name, and gives counts and times: of casting and shading (wall, and CPU
 // of all threads), and of encoding and writing.
-nlohmann::ordered_json shoot(const Film& film, const Times& times, const Options& options,
-                             const geom::Execution& run);
+nlohmann::ordered_json shoot(const geom::picture::Film& film, const Times& times,
+                             const Options& options, const geom::Execution& run);
 
 }  // namespace render

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <sstream>
 #include <utility>
 
 #include "cli/content/drone_file.h"
@@ -12,67 +11,31 @@
 #include "geom/base/error.h"
 #include "geom/base/in_order.h"
 #include "geom/text/record_lines.h"
-#include "traj/record/verdict.h"
 #include "traj/submit/flight_pairs.h"
-#include "traj/submit/risk_geojson.h"
 
 namespace submitting {
 namespace {
 
 constexpr std::size_t kHeld = 64;     // flights at a time
 constexpr std::size_t kMostTold = 5;  // refusals, on stderr
-constexpr const char* kWritten = "what was written";
 
 }  // namespace
 
-// The volumes are proved as they are read back from their text.
-FlightFiles::Made FlightFiles::make(const cli::SubmittedFlight& one,
-                                    const geom::BoxMap& map) const {
-  const traj::SubmittedFlight& flight = *one.flight;
-  Made out;
-  out.id = flight.report().id;
-  out.refusal = flight.refusal();
-  if (!out.refusal.empty()) {
-    if (!traj::accepted(flight.report())) out.refusal = traj::in_words(flight.report(), map);
-    return out;
-  }
-  out.volumes = traj::volumes_json(flight.intent());
-  std::istringstream in(out.volumes);
-  const geom::IntentVolumes intent = geom::read_intent_volumes(in, kWritten);
-  if (const auto why = flight.why_not_held(intent)) {
-    out.refusal = *why;
-    return out;
-  }
-  out.risk =
-      traj::risk_geojson(out.id, intent, traj::risk_volumes(intent, flight.risk_task(), out.id));
-  const traj::ReadRisk risk = traj::read_risk_geojson(out.risk, kWritten);
-  if (const auto why =
-          traj::why_risk_not_held(intent, risk.volumes, flight.risk_task(), kWritten)) {
-    out.refusal = *why;
-    return out;
-  }
-  out.claims = flight.claims(intent, risk.volumes);
-  out.buffers = risk.volumes.buffers;
-  if (const auto* trajectory = dynamic_cast<const traj::SubmittedTrajectory*>(&flight)) {
-    out.certificate = trajectory->certificate();
-  }
-  return out;
-}
-
 void FlightFiles::take(Made made, const std::string& source) {
-  if (!made.refusal.empty()) {
+  if (!made.parts.refusal.empty()) {
     if (++refused_ > kMostTold) return;
-    cli::complain("skyway-submit", fmt::format("{}: refused: {}", made.id, made.refusal));
+    cli::complain("skyway-submit",
+                  fmt::format("{}: refused: {}", made.parts.id, made.parts.refusal));
     return;
   }
-  const std::string name = names_.of(made.id, source);
-  made.claims.volumes = cli::volumes_file(name);
-  made.claims.risk = cli::risk_file(name);
-  folder_.add(made.claims.volumes, made.volumes);
-  folder_.add(made.claims.risk, made.risk);
+  const std::string name = names_.of(made.parts.id, source);
+  made.parts.claims.volumes = traj::volumes_file(name);
+  made.parts.claims.risk = traj::risk_file(name);
+  folder_.add(made.parts.claims.volumes, made.parts.volumes);
+  folder_.add(made.parts.claims.risk, made.parts.risk);
   if (!made.record.empty()) take_record(made, source);
-  claims_.push_back(std::move(made.claims));
-  buffers_.push_back(std::move(made.buffers));
+  claims_.push_back(std::move(made.parts.claims));
+  buffers_.push_back(std::move(made.parts.buffers));
 }
 
 void FlightFiles::take_record(const Made& made, const std::string& source) {
@@ -81,7 +44,7 @@ void FlightFiles::take_record(const Made& made, const std::string& source) {
     certificates_.emplace("certificates.jsonl", folder_.place_of("certificates.jsonl"));
   }
   records_->append(made.record);
-  certificates_->append(made.certificate);
+  certificates_->append(made.parts.certificate);
   if (!set_) return;
   dynamic_cast<const traj::SubmittedTrajectory&>(*made.flight.flight)
       .add_to(*set_, source, made.line);
@@ -118,8 +81,8 @@ void FlightFiles::add(const std::string& path, const geom::BoxMap& map) {
     return std::nullopt;
   };
   const auto work = [&](Item& item) {
-    cli::SubmittedFlight flight = flights_.of_record(item.line.text, file.name(), item.line.number);
-    item.made = make(flight, map);
+    traj::FlightInScene flight = flights_.of_record(item.line.text, file.name(), item.line.number);
+    item.made.parts = traj::flight_parts(*flight.flight, map);
     item.made.record = std::move(item.line.text) + '\n';
     item.made.line = item.line.number;
     if (set_) item.made.flight = std::move(flight);
@@ -134,7 +97,8 @@ void FlightFiles::add_mission(const std::string& path, const std::string& text,
   if (std::find(missions_.begin(), missions_.end(), name) != missions_.end()) {
     throw cli::UsageError(fmt::format("two missions are named {}: rename one", name));
   }
-  for (const auto& one : flights_.of_mission(text, path)) of_missions_.push_back(make(one, map));
+  for (const auto& one : flights_.of_mission(text, path))
+    of_missions_.push_back({traj::flight_parts(*one.flight, map)});
   missions_.push_back(name);
   folder_.add("missions/" + name, text);
 }

@@ -6,12 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "cli/content/submitted_flights.h"
 #include "cli/run.h"
 #include "geom/text/output_names.h"
 #include "submission_folder.h"
 #include "traj/check/flight_set.h"
+#include "traj/submit/flight_parts.h"
 #include "traj/submit/submission.h"
+#include "traj/submit/submitted_flights.h"
 
 namespace submitting {
 
@@ -19,7 +20,7 @@ class FlightFiles {
  public:
   // All must outlive this.
   // Where trajectories are compared, by `together`.
-  FlightFiles(const cli::Common& common, const cli::SubmittedFlights& flights,
+  FlightFiles(const cli::Common& common, const traj::SubmittedFlights& flights,
               SubmissionFolder& folder, const std::optional<traj::TogetherRule>& together)
       : common_(common), flights_(flights), folder_(folder) {
     if (together) set_.emplace(*together);
@@ -46,25 +47,18 @@ class FlightFiles {
  private:
   // What a flight came to.
   struct Made {
-    std::string id;
-    std::string refusal;  // empty: none
-    std::string record;   // its line
-    std::string volumes;
-    std::string risk;
-    std::string certificate;
-    traj::FlightClaims claims;
-    std::vector<traj::RiskVolume> buffers;
-    cli::SubmittedFlight flight = {};  // of a record, where flights are compared
+    traj::FlightParts parts = {};
+    std::string record = {};          // its line
+    traj::FlightInScene flight = {};  // of a record, where flights are compared
     std::size_t line = 0;
   };
 
-  Made make(const cli::SubmittedFlight& flight, const geom::BoxMap& map) const;
   void take(Made made, const std::string& source);
   void take_record(const Made& made, const std::string& source);
   void add_mission(const std::string& path, const std::string& text, const geom::BoxMap& map);
 
   const cli::Common& common_;
-  const cli::SubmittedFlights& flights_;
+  const traj::SubmittedFlights& flights_;
   SubmissionFolder& folder_;
   geom::OutputNames names_{"%s", "--output"};
   std::optional<GrowingFile> records_;

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "cli/content/verify_scripts.h"
 #include "cli/file/files.h"
 #include "cli/option/scenes.h"
 #include "cli/run.h"
@@ -14,6 +13,7 @@
 #include "people.h"
 #include "submission_folder.h"
 #include "traj/submit/summary_page.h"
+#include "traj/submit/verify_scripts.h"
 #include "tubes.h"
 #include "view_page.h"
 
@@ -44,12 +44,12 @@ std::vector<std::string> shown_files(const FlightFiles& flights, const Submissio
 }
 
 // The files on which the reading of missions rests, added to the folder.
-cli::MethodFiles method_files(const Options& options, const geom::BoxMapSpec& spec,
-                              const traj::SubmissionMethod& method, SubmissionFolder& folder) {
-  cli::MethodFiles out;
+traj::MethodFiles method_files(const Options& options, const geom::BoxMapSpec& spec,
+                               const traj::SubmissionMethod& method, SubmissionFolder& folder) {
+  traj::MethodFiles out;
   if (method.params) {
     out.params = text_of(options.params());
-    folder.add(cli::kParamsFile, *out.params);
+    folder.add(traj::kParamsFile, *out.params);
   }
   if (method.geoid_grid) {
     geom::BoxMapSpec placed = spec;
@@ -57,7 +57,7 @@ cli::MethodFiles method_files(const Options& options, const geom::BoxMapSpec& sp
     const geom::SunArea area = geom::area_of(placed);
     out.geoid_grid =
         geom::gtx_over(*options.geoid_grid(), {area.south, area.north, area.west, area.east});
-    folder.add(cli::kGeoidFile, *out.geoid_grid);
+    folder.add(traj::kGeoidFile, *out.geoid_grid);
   }
   return out;
 }
@@ -79,7 +79,7 @@ std::optional<traj::FlightPairs> compared(const cli::Common& common, FlightFiles
 
 // Of few enough flights for a browser.
 void add_page(const cli::Common& common, const FlightFiles& flights,
-              const cli::SubmittedFlights& open, const traj::SubmissionMethod& method,
+              const traj::SubmittedFlights& open, const traj::SubmissionMethod& method,
               const std::string& by, SubmissionFolder& folder) {
   if (flights.count() > kMostShown) {
     common.warn(fmt::format("{} are too many for a page, so there is none (at most {})",
@@ -121,9 +121,9 @@ int main(int argc, char** argv) {
     folder.add("map.boxmap", text_of(options.map));
     folder.add("operation.json", operation_text);
     const auto tubes = submitting::take_tubes(options.tube, submission.method, folder);
-    cli::MethodFiles files = method_files(options, scenes.map().spec(), submission.method, folder);
+    traj::MethodFiles files = method_files(options, scenes.map().spec(), submission.method, folder);
     if (tubes) files.tubes = &*tubes;
-    const cli::SubmittedFlights open(scenes, submission.method, files);
+    const traj::SubmittedFlights open(scenes, submission.method, files);
     FlightFiles flights(common, open, folder, submission.method.together);
     for (const std::string& file : options.flights) flights.add(file, scenes.map());
     flights.write();
@@ -142,7 +142,7 @@ int main(int argc, char** argv) {
     write_claims(flights.claims(), folder);
     folder.add("submission.json", traj::to_json_line(submission));
     folder.add("summary.html", traj::summary_page(operation, submission, flights.claims()));
-    for (const cli::VerifyScript& one : cli::verify_scripts()) {
+    for (const traj::VerifyScript& one : traj::verify_scripts()) {
       folder.add("verify/" + std::string(one.name), one.text);
     }
     if (!options.no_page) {

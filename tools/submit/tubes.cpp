@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <sstream>
 
-#include "cli/content/submitted_flights.h"
 #include "cli/file/files.h"
+#include "traj/submit/submitted_flights.h"
 
 namespace submitting {
 
@@ -15,9 +15,9 @@ std::optional<traj::TubeReports> take_tubes(const std::string& path, traj::Submi
   std::istringstream in(text);
   traj::TubeReports tubes = traj::TubeReports::read(in, path);
   method.tubes = {std::filesystem::path(path).filename().string(),
-                  traj::listed_file(cli::kTubesFile, text).sha256};
+                  traj::listed_file(traj::kTubesFile, text).sha256};
   method.risk.geography = traj::GeographyRule::proved_tube;
-  folder.add(cli::kTubesFile, text);
+  folder.add(traj::kTubesFile, text);
   return tubes;
 }
 

@@ -115,7 +115,7 @@ Json motions(const cli::Contents& contents, const LocalFrame& frame, const Fleet
     const traj::TrajectoryRecord& record = read.record;
     if (record.status != traj::TrajectoryStatus::solved) continue;
     const Sampling sampling = sampling_of(traj::duration(record.trajectory), trajectories, count);
-    out.push_back(trajectory_layer(read, sampling, axes_of(contents, record.provenance), frame,
+    out.push_back(trajectory_layer(read, sampling, frame.of(axes_of(contents, record.provenance)),
                                    clearance, bundle));
     if (auto tube = tube_layer(contents, record, bundle)) out.back()["tube"] = *std::move(tube);
     fleet.add_times(record, out.back());
@@ -125,11 +125,11 @@ Json motions(const cli::Contents& contents, const LocalFrame& frame, const Fleet
     const geom::Provenance provenance = made_for(contents, log);
     const double seconds = log.samples.back().time - log.samples.front().time;
     out.push_back(flight_layer(read, samples_of(seconds, count), provenance,
-                               axes_of(contents, provenance), frame, clearance, bundle));
+                               frame.of(axes_of(contents, provenance)), clearance, bundle));
   }
   for (const auto* read : timelines(contents)) {
     out.push_back(
-        timeline_layer(read->record, axes_of(contents, read->record.provenance), frame, bundle));
+        timeline_layer(read->record, frame.of(axes_of(contents, read->record.provenance)), bundle));
   }
   return out;
 }
@@ -180,24 +180,25 @@ Json describe(const cli::Contents& contents, const std::optional<Frames>& frames
               {"min", as_json(extent.bounds.min)},
               {"max", as_json(extent.bounds.max)}};
   if (contents.map) out["map"] = map_layer(contents.map->record, frame, bundle);
+  const auto frame_of = [&](const geom::Provenance& made_for) {
+    return frame.of(axes_of(contents, made_for));
+  };
   const auto each = [&](const char* key, const auto& list, const auto& layer) {
     Json layers = Json::array();
     for (const auto& read : list) layers.push_back(layer(read));
     out[key] = std::move(layers);
   };
-  each("lattices", contents.lattices, [&](const auto& r) {
-    return lattice_layer(r, axes_of(contents, r.record.made_for()), frame, bundle);
-  });
-  each("trees", contents.trees, [&](const auto& r) {
-    return tree_layer(r.record, axes_of(contents, r.record.provenance), frame, bundle);
-  });
+  each("lattices", contents.lattices,
+       [&](const auto& r) { return lattice_layer(r, frame_of(r.record.made_for()), bundle); });
+  each("trees", contents.trees,
+       [&](const auto& r) { return tree_layer(r.record, frame_of(r.record.provenance), bundle); });
   each("paths", contents.paths, [&](const auto& r) {
-    Json path = path_layer(r.record, axes_of(contents, r.record.provenance), frame, bundle);
+    Json path = path_layer(r.record, frame_of(r.record.provenance), bundle);
     if (r.line == 0) path["mission"] = true;  // of a drone file
     return path;
   });
   each("corridors", contents.corridors, [&](const auto& r) {
-    return corridor_layer(r.record, axes_of(contents, r.record.provenance), frame, bundle);
+    return corridor_layer(r.record, frame_of(r.record.provenance), bundle);
   });
   const Fleet fleet(contents, run);
   out["motions"] = motions(contents, frame, fleet, clearance, bundle);
@@ -206,12 +207,11 @@ Json describe(const cli::Contents& contents, const std::optional<Frames>& frames
   out["unsolved"] = unsolved(contents);
   if (!contents.contingencies.empty()) {
     each("contingencies", contents.contingencies, [&](const auto& r) {
-      return contingency_layer(r.record, axes_of(contents, r.record.provenance), frame, bundle);
+      return contingency_layer(r.record, frame_of(r.record.provenance), bundle);
     });
   }
-  each("reports", contents.reports, [&](const auto& r) {
-    return report_layer(r.record, axes_of(contents, r.record.provenance), frame);
-  });
+  each("reports", contents.reports,
+       [&](const auto& r) { return report_layer(r.record, frame_of(r.record.provenance)); });
   return out;
 }
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "cli/file/files.h"
+#include "cli/file/frame_output.h"
 #include "cli/run.h"
 #include "geom/base/error.h"
-#include "render/image/frame_output.h"
 #include "webp_frame.h"
 
 namespace view {
@@ -18,7 +18,7 @@ constexpr std::size_t kMostBytes = 256u << 20;  // what a browser still takes as
 
 std::string read_picture(const std::string& name, Frames& frames) {
   cli::InputFile file(name);
-  const render::Pixels picture = render::read_png(file.read_all(), file.name());
+  const geom::picture::Pixels picture = geom::picture::read_png(file.read_all(), file.name());
   if (frames.list.empty()) {
     frames.width = picture.width;
     frames.height = picture.height;
@@ -46,7 +46,7 @@ std::size_t Frames::bytes() const {
 Frames read_frames(const FrameFiles& files) {
   cli::InputFile file(files.poses);
   const auto poses = geom::picture::read_camera_poses(file.stream(), file.name());
-  if (poses.size() > 1 && !render::is_numbered(files.names)) {
+  if (poses.size() > 1 && !cli::is_numbered(files.names)) {
     throw cli::UsageError(
         fmt::format("--frames: expected a name with a number for {} frames, as "
                     "\"frame-%05d.png\", found \"{}\"",
@@ -55,7 +55,7 @@ Frames read_frames(const FrameFiles& files) {
   Frames out{file.name(), 0, 0, {}};
   std::size_t bytes = 0;
   for (const geom::picture::CameraPose& pose : poses) {
-    const std::string name = render::numbered(files.names, out.list.size());
+    const std::string name = cli::numbered(files.names, out.list.size());
     out.list.push_back({pose, read_picture(name, out)});
     bytes += out.list.back().webp.size();
     if (bytes > kMostBytes) {

@@ -6,7 +6,7 @@
 
 #include "geom/base/error.h"
 #include "layers.h"
-#include "render/motion.h"
+#include "traj/flight/moving_vehicle.h"
 
 namespace view {
 namespace {
@@ -15,8 +15,8 @@ constexpr double kFarthestCamera = 5;  // metres from the vehicle to its camera
 constexpr double kLateness = 1e-6;     // seconds that a frame may be outside the motion
 
 // As they stand in the page: solved trajectories, then flights.
-std::vector<render::Motion> motions_of(const cli::Contents& contents) {
-  std::vector<render::Motion> out;
+std::vector<traj::MovingVehicle> motions_of(const cli::Contents& contents) {
+  std::vector<traj::MovingVehicle> out;
   for (const auto& [record, source, line] : contents.trajectories) {
     if (record.status != traj::TrajectoryStatus::solved) continue;
     out.emplace_back(record.id, record.trajectory, axes_of(contents, record.provenance));
@@ -27,7 +27,7 @@ std::vector<render::Motion> motions_of(const cli::Contents& contents) {
 
 // Metres between camera and vehicle where they are furthest apart; infinite outside the motion's
 // time.
-double apart(const Frames& frames, const render::Motion& motion) {
+double apart(const Frames& frames, const traj::MovingVehicle& motion) {
   double most = 0;
   for (const Frame& frame : frames.list) {
     const double t = frame.pose.time;
@@ -42,7 +42,7 @@ double apart(const Frames& frames, const render::Motion& motion) {
 }  // namespace
 
 Json frames_layer(const Frames& frames, const cli::Contents& contents, Bundle& bundle) {
-  const std::vector<render::Motion> motions = motions_of(contents);
+  const std::vector<traj::MovingVehicle> motions = motions_of(contents);
   std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < motions.size(); ++i) {

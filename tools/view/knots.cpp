@@ -34,15 +34,14 @@ std::vector<Knot> knots_of(const traj::Trajectory& trajectory, std::size_t most)
   return knots;
 }
 
-void add_knots(Json& out, const std::vector<Knot>& knots, geom::Axes axes, const LocalFrame& frame,
-               Bundle& bundle) {
+void add_knots(Json& out, const std::vector<Knot>& knots, const LocalFrame& frame, Bundle& bundle) {
   std::vector<float> step, position, velocity, acceleration, jerk;
   for (const Knot& knot : knots) {
     step.push_back(static_cast<float>(knot.step));
-    append(position, frame.at(axes, knot.state.position));
-    append(velocity, geom::to_enu(axes, knot.state.velocity));
-    append(acceleration, geom::to_enu(axes, knot.state.acceleration));
-    append(jerk, geom::to_enu(axes, knot.state.jerk));
+    append(position, frame.at(knot.state.position));
+    append(velocity, geom::to_enu(frame.axes, knot.state.velocity));
+    append(acceleration, geom::to_enu(frame.axes, knot.state.acceleration));
+    append(jerk, geom::to_enu(frame.axes, knot.state.jerk));
   }
   const auto added = [&](const std::vector<float>& v) {
     return bundle.add(std::span<const float>(v));

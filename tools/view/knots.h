@@ -23,7 +23,6 @@ struct Knot {
 std::vector<Knot> knots_of(const traj::Trajectory& trajectory, std::size_t most);
 
 // {"knots":count,"step":…,"position":…,"velocity":…,"acceleration":…,"jerk":…} into `out`.
-void add_knots(Json& out, const std::vector<Knot>& knots, geom::Axes axes, const LocalFrame& frame,
-               Bundle& bundle);
+void add_knots(Json& out, const std::vector<Knot>& knots, const LocalFrame& frame, Bundle& bundle);
 
 }  // namespace view

@@ -62,8 +62,7 @@ std::vector<std::uint8_t> shown_masks(const Lattice& lattice, bool swapped) {
 
 }  // namespace
 
-Json lattice_layer(const cli::Read<Lattice>& read, geom::Axes axes, const LocalFrame& frame,
-                   Bundle& bundle) {
+Json lattice_layer(const cli::Read<Lattice>& read, const LocalFrame& frame, Bundle& bundle) {
   const Lattice& lattice = read.record;
   if (lattice.size() > kMostNodes) {
     throw geom::InputError(
@@ -72,14 +71,14 @@ Json lattice_layer(const cli::Read<Lattice>& read, geom::Axes axes, const LocalF
          .found = fmt::to_string(lattice.size()),
          .advice = "build a coarser one, or one of a part of the map (skyway-map crop)"});
   }
-  const bool swapped = axes == geom::Axes::neu;
+  const bool swapped = frame.axes == geom::Axes::neu;
   const Index3& d = lattice.dims();
   const plan::LatticeCounts counts = lattice.counts();
   return {{"name", read.source},
           {"spacing", lattice.spec().spacing},
           {"connectivity", static_cast<int>(lattice.spec().connectivity)},
           {"dims", {d[swapped ? 1 : 0], d[swapped ? 0 : 1], d[2]}},
-          {"first", as_json(frame.at(axes, lattice.grid().position({0, 0, 0})))},
+          {"first", as_json(frame.at(lattice.grid().position({0, 0, 0})))},
           {"nodes", counts.nodes},
           {"edges", counts.edges},
           {"mask", bundle.add(std::span<const std::uint8_t>(shown_masks(lattice, swapped)))}};

@@ -44,26 +44,23 @@ class Clearance {
   std::optional<cli::Scenes> scenes_;
 };
 
+// The frame of each layer but the map's has the axes of what is shown.
+
 // The map's boxes: corners, ids, labels and buildings; of many boxes in tiles, with blocks for
 // afar.
 Json box_layer(const geom::BoxMap& map, const LocalFrame& frame, Bundle& bundle);
 Json map_layer(const geom::BoxMap& map, const LocalFrame& frame, Bundle& bundle);
 // Throws geom::InputError for more nodes than a browser can show.
-Json lattice_layer(const cli::Read<plan::Lattice>& lattice, geom::Axes axes,
-                   const LocalFrame& frame, Bundle& bundle);
-Json tree_layer(const plan::SearchTreeRecord& tree, geom::Axes axes, const LocalFrame& frame,
-                Bundle& bundle);
-Json path_layer(const geom::PathRecord& path, geom::Axes axes, const LocalFrame& frame,
-                Bundle& bundle);
-Json corridor_layer(const traj::CorridorShape& corridor, geom::Axes axes, const LocalFrame& frame,
-                    Bundle& bundle);
-Json report_layer(const traj::ReportSummary& report, geom::Axes axes, const LocalFrame& frame);
-Json return_layer(const traj::ReturnSummary& returns, geom::Axes axes, const LocalFrame& frame);
+Json lattice_layer(const cli::Read<plan::Lattice>& lattice, const LocalFrame& frame,
+                   Bundle& bundle);
+Json tree_layer(const plan::SearchTreeRecord& tree, const LocalFrame& frame, Bundle& bundle);
+Json path_layer(const geom::PathRecord& path, const LocalFrame& frame, Bundle& bundle);
+Json corridor_layer(const traj::CorridorShape& corridor, const LocalFrame& frame, Bundle& bundle);
+Json report_layer(const traj::ReportSummary& report, const LocalFrame& frame);
+Json return_layer(const traj::ReturnSummary& returns, const LocalFrame& frame);
 // The way of a mission in the times that a report gives it: a motion without derivatives.
-Json timeline_layer(const traj::ReportSummary& report, geom::Axes axes, const LocalFrame& frame,
-                    Bundle& bundle);
-Json contingency_layer(const traj::ContingencyRecord& way, geom::Axes axes, const LocalFrame& frame,
-                       Bundle& bundle);
+Json timeline_layer(const traj::ReportSummary& report, const LocalFrame& frame, Bundle& bundle);
+Json contingency_layer(const traj::ContingencyRecord& way, const LocalFrame& frame, Bundle& bundle);
 
 // How a trajectory stands in the page: at `count` instants, evenly spaced, or at its joints, at
 // most so many (>= 2).
@@ -73,16 +70,15 @@ struct Sampling {
 };
 // The trajectory is not empty.
 Json trajectory_layer(const cli::Read<traj::TrajectoryRecord>& trajectory, const Sampling& sampling,
-                      geom::Axes axes, const LocalFrame& frame, Clearance& clearance,
-                      Bundle& bundle);
+                      const LocalFrame& frame, Clearance& clearance, Bundle& bundle);
 // The tube of a trajectory that is of a file of reports; nothing where none of them is of it.
 std::optional<Json> tube_layer(const cli::Contents& contents, const traj::TrajectoryRecord& record,
                                Bundle& bundle);
 // At most `samples` rows of the log, the first and the last among them. `made_for` says for which
 // vehicle and in which axes the obstacles are.
 Json flight_layer(const cli::Read<traj::FlightLog>& flight, std::size_t samples,
-                  const geom::Provenance& made_for, geom::Axes axes, const LocalFrame& frame,
-                  Clearance& clearance, Bundle& bundle);
+                  const geom::Provenance& made_for, const LocalFrame& frame, Clearance& clearance,
+                  Bundle& bundle);
 
 // Which of the page's motions (solved trajectories, then flights) the frames were taken along: the
 // one that their poses keep nearest to. Throws geom::InputError where they follow none.

@@ -11,11 +11,10 @@ namespace view {
 
 struct LocalFrame {
   geom::Vec3 origin = geom::Vec3::Zero();  // in ENU, whole metres
+  geom::Axes axes = geom::Axes::enu;       // of the points that are given
 
-  // A point given in these axes.
-  geom::Vec3 at(geom::Axes axes, const geom::Vec3& p) const {
-    return geom::to_enu(axes, p) - origin;
-  }
+  LocalFrame of(geom::Axes given) const { return {origin, given}; }
+  geom::Vec3 at(const geom::Vec3& p) const { return geom::to_enu(axes, p) - origin; }
 };
 
 inline void append(std::vector<float>& out, const geom::Vec3& v) {

@@ -118,14 +118,14 @@ struct Columns {
       motors;
   std::vector<std::uint8_t> saturated;
 
-  void add(const traj::FlightSample& s, double start, const LocalFrame& frame) {
+  void add(const traj::FlightSample& s, double start, const LocalFrame& enu) {
     time.push_back(static_cast<float>(s.time - start));
-    append(position, frame.at(geom::Axes::enu, s.position));
+    append(position, enu.at(s.position));
     append(velocity, s.velocity);
     append(attitude, s.attitude.vec());
     attitude.push_back(static_cast<float>(s.attitude.w()));
     append(rates, s.body_rates);
-    append(setpoint, frame.at(geom::Axes::enu, s.setpoint_position));
+    append(setpoint, enu.at(s.setpoint_position));
     append(setpoint_velocity, s.setpoint_velocity);
     error.push_back(static_cast<float>(tracking_error(s)));
     for (const double m : s.motors) motors.push_back(static_cast<float>(m));
@@ -157,15 +157,15 @@ double instant(double end, std::size_t i, std::size_t count) {
 }
 
 void add_samples(Json& out, const traj::Trajectory& trajectory, std::size_t samples,
-                 geom::Axes axes, const LocalFrame& frame, Bundle& bundle) {
+                 const LocalFrame& frame, Bundle& bundle) {
   const double end = traj::duration(trajectory);
   std::vector<float> position, velocity, acceleration, jerk;
   for (std::size_t i = 0; i < samples; ++i) {
     const traj::State s = traj::evaluate(trajectory, instant(end, i, samples));
-    append(position, frame.at(axes, s.position));
-    append(velocity, geom::to_enu(axes, s.velocity));
-    append(acceleration, geom::to_enu(axes, s.acceleration));
-    append(jerk, geom::to_enu(axes, s.jerk));
+    append(position, frame.at(s.position));
+    append(velocity, geom::to_enu(frame.axes, s.velocity));
+    append(acceleration, geom::to_enu(frame.axes, s.acceleration));
+    append(jerk, geom::to_enu(frame.axes, s.jerk));
   }
   out["position"] = added(position, bundle);
   out["velocity"] = added(velocity, bundle);
@@ -190,8 +190,7 @@ void add_yaw(Json& out, const traj::Trajectory& trajectory, const Sampling& samp
 }  // namespace
 
 Json trajectory_layer(const cli::Read<traj::TrajectoryRecord>& read, const Sampling& sampling,
-                      geom::Axes axes, const LocalFrame& frame, Clearance& clearance,
-                      Bundle& bundle) {
+                      const LocalFrame& frame, Clearance& clearance, Bundle& bundle) {
   const traj::TrajectoryRecord& record = read.record;
   const double end = traj::duration(record.trajectory);
   Json out = {{"kind", "trajectory"}, {"id", record.id}, {"duration", end}};
@@ -201,28 +200,28 @@ Json trajectory_layer(const cli::Read<traj::TrajectoryRecord>& read, const Sampl
   out["segments"] = record.trajectory.segments.size();
   out["limits"] = as_json(traj::limits_of(record));
   if (sampling.joints) {
-    add_knots(out, knots_of(record.trajectory, sampling.count), axes, frame, bundle);
+    add_knots(out, knots_of(record.trajectory, sampling.count), frame, bundle);
   } else {
-    add_samples(out, record.trajectory, sampling.count, axes, frame, bundle);
+    add_samples(out, record.trajectory, sampling.count, frame, bundle);
   }
-  add_yaw(out, record.trajectory, sampling, axes, bundle);
+  add_yaw(out, record.trajectory, sampling, frame.axes, bundle);
   out["joints"] = added(joints(record.trajectory), bundle);
   if (const auto* scene = clearance.scene_for(record.provenance, read.source, read.line)) {
     const double steps = sampling.joints ? kStepsOfMany : static_cast<double>(sampling.count - 1);
     add_clearance(out, traj::clearance_profile(*scene, record.trajectory, end / steps), bundle);
   }
-  add_vehicle(out, clearance.vehicle(record.provenance), axes);
+  add_vehicle(out, clearance.vehicle(record.provenance), frame.axes);
   return out;
 }
 
 Json flight_layer(const cli::Read<traj::FlightLog>& read, std::size_t samples,
-                  const geom::Provenance& made_for, geom::Axes axes, const LocalFrame& frame,
-                  Clearance& clearance, Bundle& bundle) {
+                  const geom::Provenance& made_for, const LocalFrame& frame, Clearance& clearance,
+                  Bundle& bundle) {
   const traj::FlightLog& log = read.record;
   Columns columns;
   const double start = log.samples.front().time;
   const std::vector<std::size_t> kept = spread(log.samples.size(), samples);
-  for (const std::size_t i : kept) columns.add(log.samples[i], start, frame);
+  for (const std::size_t i : kept) columns.add(log.samples[i], start, frame.of(geom::Axes::enu));
   Json out = {{"kind", "flight"},
               {"id", log.id},
               {"duration", log.samples.back().time - start},
@@ -230,9 +229,9 @@ Json flight_layer(const cli::Read<traj::FlightLog>& read, std::size_t samples,
               {"summary", flight_summary(log)}};
   columns.write(out, bundle);
   if (const auto* scene = clearance.scene_for(made_for, read.source, read.line)) {
-    add_clearance(out, clearance_of(*scene, axes, log, kept), bundle);
+    add_clearance(out, clearance_of(*scene, frame.axes, log, kept), bundle);
   }
-  add_vehicle(out, clearance.vehicle(made_for), axes);
+  add_vehicle(out, clearance.vehicle(made_for), frame.axes);
   return out;
 }
 

@@ -5,11 +5,10 @@
 
 namespace view {
 
-Json tree_layer(const plan::SearchTreeRecord& record, geom::Axes axes, const LocalFrame& frame,
-                Bundle& bundle) {
+Json tree_layer(const plan::SearchTreeRecord& record, const LocalFrame& frame, Bundle& bundle) {
   const plan::SearchTree& tree = record.tree;
   std::vector<float> points;
-  for (const geom::Vec3& p : tree.points) append(points, frame.at(axes, p));
+  for (const geom::Vec3& p : tree.points) append(points, frame.at(p));
   const std::vector<float> cost(tree.cost.begin(), tree.cost.end());
   return {{"id", record.id},
           {"nodes", tree.points.size()},
@@ -20,26 +19,24 @@ Json tree_layer(const plan::SearchTreeRecord& record, geom::Axes axes, const Loc
           {"cost", bundle.add(std::span<const float>(cost))}};
 }
 
-Json path_layer(const geom::PathRecord& path, geom::Axes axes, const LocalFrame& frame,
-                Bundle& bundle) {
+Json path_layer(const geom::PathRecord& path, const LocalFrame& frame, Bundle& bundle) {
   Json out = {{"id", path.id}, {"status", name(path.status)}};
   if (!path.message.empty()) out["message"] = path.message;
   if (path.points.empty()) return out;
   std::vector<float> points;
-  for (const geom::Vec3& p : path.points) append(points, frame.at(axes, p));
+  for (const geom::Vec3& p : path.points) append(points, frame.at(p));
   out["length"] = geom::length(path.points);
   out["points"] = bundle.add(std::span<const float>(points));
   return out;
 }
 
-Json corridor_layer(const traj::CorridorShape& corridor, geom::Axes axes, const LocalFrame& frame,
-                    Bundle& bundle) {
+Json corridor_layer(const traj::CorridorShape& corridor, const LocalFrame& frame, Bundle& bundle) {
   std::vector<float> points;
   std::vector<std::uint32_t> triangles, edges;
   std::vector<std::uint32_t> triangle_end, edge_end;  // of each piece
   for (const auto& piece : corridor.pieces) {
     const auto first = static_cast<std::uint32_t>(points.size() / 3);
-    for (const geom::Vec3& v : piece.vertices) append(points, frame.at(axes, v));
+    for (const geom::Vec3& v : piece.vertices) append(points, frame.at(v));
     for (const auto& face : piece.faces) {
       for (std::size_t i = 0; i < face.size(); ++i) {
         const std::uint32_t next = face[(i + 1) % face.size()];
@@ -63,11 +60,11 @@ Json corridor_layer(const traj::CorridorShape& corridor, geom::Axes axes, const 
           {"edge_end", added(edge_end)}};
 }
 
-Json report_layer(const traj::ReportSummary& report, geom::Axes axes, const LocalFrame& frame) {
+Json report_layer(const traj::ReportSummary& report, const LocalFrame& frame) {
   Json out = {{"id", report.id}, {"checked", report.checked}, {"ok", report.ok}};
   if (!report.ok) out["reason"] = report.reason;
   if (report.time) out["time"] = *report.time;
-  if (report.place) out["place"] = as_json(frame.at(axes, *report.place));
+  if (report.place) out["place"] = as_json(frame.at(*report.place));
   if (report.worst) out["worst"] = *report.worst;
   if (report.box) out["box"] = *report.box;
   if (report.item) out["item"] = *report.item;
@@ -78,7 +75,7 @@ Json report_layer(const traj::ReportSummary& report, geom::Axes axes, const Loca
     out["slower"] = traj::slower_words(*report.duration / *report.duration_bound - 1);
   }
   if (report.exact_ok) out["exact"] = *report.exact_ok;
-  if (report.returns) out["return"] = return_layer(*report.returns, axes, frame);
+  if (report.returns) out["return"] = return_layer(*report.returns, frame);
   Json extremes = Json::array();
   for (const auto& [name, value, time] : report.extremes) {
     extremes.push_back({{"name", name}, {"value", value}});

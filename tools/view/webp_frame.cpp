@@ -14,7 +14,7 @@ constexpr float kQuality = 50;
 
 }  // namespace
 
-std::string webp(const render::Pixels& picture) {
+std::string webp(const geom::picture::Pixels& picture) {
   std::uint8_t* bytes = nullptr;
   const std::size_t size = WebPEncodeRGB(picture.rgb.data(), picture.width, picture.height,
                                          3 * picture.width, kQuality, &bytes);

@@ -4,11 +4,11 @@
 
 #include <string>
 
-#include "render/image/png_image.h"
+#include "geom/picture/png_image.h"
 
 namespace view {
 
 // Lossy, quality 50 of 100. Throws std::runtime_error above 16,383 pixels a side.
-std::string webp(const render::Pixels& picture);
+std::string webp(const geom::picture::Pixels& picture);
 
 }  // namespace view

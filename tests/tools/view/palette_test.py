@@ -32,7 +32,7 @@ def told_apart(colours, least, name):
 
 def check_plots():
     """The palette of plots, which is that of ways in renders too: both are drawn on white."""
-    text = (source / "tools/plot/palette.h").read_text()
+    text = (source / "libgeom/include/geom/figure/palette.h").read_text()
     palette = re.findall('"(#[0-9a-f]{6})"', re.search(r"kPalette = \{(.*?)\}", text, re.S).group(1))
     require(len(palette) >= 8, f"only {len(palette)} colours")
     told_apart(palette, APART, "plot")
@@ -41,12 +41,12 @@ def check_plots():
     named = dict(re.findall(r'(k\w+) = "(#[0-9a-f]{6})"', text))
     for name in ("kInk", "kWarning", "kLimit"):
         stands_out(named[name], "#ffffff", WORDS, name)
-    bands = dict(re.findall(r'(k\w+Fill) = "(#[0-9a-f]{6})"', (source / "tools/plot/home_band.h").read_text()))
+    bands = dict(re.findall(r'(k\w+Fill) = "(#[0-9a-f]{6})"', (source / "libtraj/src/figure/home_band.h").read_text()))
     require(len(bands) == 2, f"bands of ways home: {bands}")
     told_apart([*bands.values(), named["kWarning"]], APART, "bands of ways home")
     for name, colour in bands.items():
         stands_out(colour, "#ffffff", MARKS, name)
-    require("plot::colour(" in (source / "tools/render/drawing/drawn.cpp").read_text(), "renders have a palette of their own")
+    require("figure::colour(" in (source / "libgeom/src/picture/line.cpp").read_text(), "renders have a palette of their own")
 
 
 def themes():

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
+#include <utility>
 
 #include "cli/answer/exit.h"
 #include "cli/file/files.h"
 #include "numbers_option.h"
-#include "traj/mission/firmware/autopilot_settings.h"
 
 namespace cli {
 namespace {
@@ -78,20 +77,10 @@ void AutopilotOptions::settle(const std::optional<traj::VehicleProfile>& profile
   if (!flier.navigation && profile && profile->navigation) {
     flier.navigation = traj::Uncertainty{profile->navigation->x(), profile->navigation->y()};
   }
-  flier.autopilots = traj::autopilots_of(word).value();
-  if (!params.empty() || params_text) take_parameters();
   if (!drag) drag = drag_of(profile);
-  if (!drag) return;
-  for (traj::Autopilot& one : flier.autopilots) traj::set_drag(one, *drag);
-}
-
-void AutopilotOptions::take_parameters() {
-  std::istringstream in(params_text ? *params_text : InputFile(params).read_all());
-  const auto settings = traj::read_autopilot_settings(in, params);
-  traj::SetAutopilot set = traj::set_autopilot(settings, flier.autopilots, params);
-  flier.autopilots = {set.autopilot};
-  flier.exactly = set.autopilot;
-  flier.assumed = std::move(set.assumed);
+  traj::AutopilotChoice choice{.word = word, .parameters_name = params, .drag = drag};
+  if (!params.empty()) choice.parameters = InputFile(params).read_all();
+  flier = traj::with_autopilots(std::move(flier), choice);
 }
 
 }  // namespace cli

@@ -12,10 +12,8 @@
 namespace cli {
 
 struct AutopilotOptions {
-  std::string word = "any";  // --autopilot
-  std::string params = {};   // --params
-  // The same as a text that was read already; goes before it.
-  std::optional<std::string> params_text = {};
+  std::string word = "any";         // --autopilot
+  std::string params = {};          // --params
   std::optional<double> drag = {};  // --drag
   traj::Flier flier = {};           // --navigation and --tracking; settle() gives the rest
 
@@ -25,9 +23,6 @@ struct AutopilotOptions {
   // Reads the parameters; takes navigation and drag of the profile where no option says them. Once,
   // before anything else is asked.
   void settle(const std::optional<traj::VehicleProfile>& profile);
-
- private:
-  void take_parameters();
 };
 
 }  // namespace cli

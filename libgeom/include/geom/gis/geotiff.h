@@ -7,29 +7,12 @@
 //   grid.bands = {{"distance", "m to the nearest obstacle", {3.5, 4}}};
 //   geom::gis::write_geotiff("clearance.tif", grid, map.spec().frame);
 
-#include <cstddef>
 #include <string>
-#include <vector>
 
+#include "geom/gis/number_grid.h"
 #include "geom/map/frame.h"
-#include "geom/shape/polygon.h"
 
 namespace geom::gis {
-
-struct NumberBand {
-  std::string name;
-  std::string what;            // a sentence that stands in the file
-  std::vector<double> values;  // row by row from the north, west first; NaN: none
-};
-
-// Cells of one size, in metres east and north of the map's origin.
-struct NumberGrid {
-  std::size_t columns = 0;
-  std::size_t rows = 0;
-  double cell = 1;
-  Vec2 corner = Vec2::Zero();  // the outer corner in the south-west: east, north
-  std::vector<NumberBand> bands;
-};
 
 // The CRS is the frame's where it names one, else a transverse Mercator projection about its
 // origin, in which the map's metres are (GeographicFrame); without an origin none. East and north

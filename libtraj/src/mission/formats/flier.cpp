@@ -1,6 +1,11 @@
 #include "traj/mission/formats/flier.h"
 
 #include <algorithm>
+#include <sstream>
+#include <utility>
+
+#include "geom/base/usage_error.h"
+#include "traj/mission/firmware/autopilot_settings.h"
 
 namespace traj {
 namespace {
@@ -20,6 +25,26 @@ MissionRules Flier::rules(MissionRules rules) const {
   rules.braking = std::min(rules.braking, exactly->acceleration);
   if (!rules.return_height) rules.return_height = exactly->return_height;
   return rules;
+}
+
+Flier with_autopilots(Flier flier, const AutopilotChoice& choice) {
+  auto autopilots = autopilots_of(choice.word);
+  if (!autopilots) {
+    throw geom::UsageError("--autopilot: expected " + autopilot_words() + ", found \"" +
+                           choice.word + '"');
+  }
+  flier.autopilots = *std::move(autopilots);
+  if (choice.parameters) {
+    std::istringstream in(*choice.parameters);
+    const auto settings = read_autopilot_settings(in, choice.parameters_name);
+    SetAutopilot set = set_autopilot(settings, flier.autopilots, choice.parameters_name);
+    flier.autopilots = {set.autopilot};
+    flier.exactly = set.autopilot;
+    flier.assumed = std::move(set.assumed);
+  }
+  if (!choice.drag) return flier;
+  for (Autopilot& one : flier.autopilots) set_drag(one, *choice.drag);
+  return flier;
 }
 
 Vec3 Flier::allowance(bool tracks) const {

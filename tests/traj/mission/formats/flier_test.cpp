@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "geom/base/usage_error.h"
+
 namespace traj {
 namespace {
 
@@ -34,6 +36,30 @@ TEST(Flier, AllowsForNavigationAndWhereItTracksForThat) {
   flier.tracking = Uncertainty{2, 3};
   EXPECT_EQ(flier.allowance(false), Vec3(0.5, 0.5, 1));
   EXPECT_EQ(flier.allowance(true), Vec3(2.5, 2.5, 4));
+}
+
+TEST(WithAutopilots, IsAnyOfAWordWithTheDrag) {
+  Flier flier;
+  flier.navigation = Uncertainty{0.5, 1};
+  const Flier set = with_autopilots(flier, {.word = "px4:1.17", .drag = 0.9});
+  EXPECT_EQ(names_of(set.autopilots), names_of(*autopilots_of("px4:1.17")));
+  EXPECT_EQ(set.navigation->across, 0.5);
+  EXPECT_FALSE(set.exactly);
+  const Flier usual = with_autopilots(flier, {.word = "px4:1.17"});
+  EXPECT_NE(set.autopilots[0].drag, usual.autopilots[0].drag);
+}
+
+TEST(WithAutopilots, KnowsExactlyTheOneOfTheParameters) {
+  const Flier set = with_autopilots(
+      {},
+      {.word = "px4:1.17", .parameters = "MPC_XY_CRUISE 4.5\n", .parameters_name = "quad.params"});
+  ASSERT_EQ(set.autopilots.size(), 1u);
+  ASSERT_TRUE(set.exactly);
+  EXPECT_EQ(set.exactly->speed, 4.5);
+}
+
+TEST(WithAutopilots, RefusesAWordThatNobodyKnows) {
+  EXPECT_THROW(with_autopilots({}, {.word = "px5"}), geom::UsageError);
 }
 
 }  // namespace

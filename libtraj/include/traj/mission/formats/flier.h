@@ -37,4 +37,16 @@ struct Flier {
   Vec3 allowance(bool tracks) const;
 };
 
+// Which autopilots may fly, as options and records say it.
+struct AutopilotChoice {
+  std::string word = "any";                    // as autopilots_of() knows them
+  std::optional<std::string> parameters = {};  // the text of a file of the autopilot
+  std::string parameters_name = {};            // its name, for messages
+  std::optional<double> drag = {};             // 1/s, over the airframe's mass; else the usual one
+};
+
+// The flier with these autopilots. Throws UsageError for a word that nobody knows, and InputError
+// as read_autopilot_settings() and set_autopilot() do.
+Flier with_autopilots(Flier flier, const AutopilotChoice& choice);
+
 }  // namespace traj

@@ -1,0 +1,92 @@
+#include "traj/submit/submitted_flights.h"
+
+#include <memory>
+#include <sstream>
+#include <utility>
+
+#include "geom/base/error.h"
+#include "geom/text/json_fields.h"
+#include "traj/mission/formats/mission_formats.h"
+#include "traj/mission/read_mission.h"
+#include "traj/record/trajectory_record.h"
+
+namespace traj {
+namespace {
+
+Flier flier_of(const SubmissionMethod& method, const std::optional<std::string>& params) {
+  Flier flier;
+  flier.navigation = method.navigation;
+  return with_autopilots(std::move(flier), {.word = method.autopilot,
+                                            .parameters = params,
+                                            .parameters_name = kParamsFile,
+                                            .drag = method.drag});
+}
+
+}  // namespace
+
+SubmittedFlights::SubmittedFlights(geom::Scenes& scenes, const SubmissionMethod& method,
+                                   const MethodFiles& files)
+    : scenes_(scenes),
+      method_(method),
+      flier_(flier_of(method, files.params)),
+      tubes_(files.tubes),
+      bare_(scenes.map(), {}, geom::Differences::refused, scenes.budget()) {
+  placement_.origin = method.origin;
+  placement_.geoid = method.geoid;
+  placement_.ground = method.ground;
+  if (!files.geoid_grid) return;
+  std::istringstream in(*files.geoid_grid);
+  placement_.geoid_grid =
+      std::make_shared<const geom::GeoidGrid>(geom::read_geoid_grid(in, kGeoidFile));
+}
+
+FlightInScene SubmittedFlights::of_record(const std::string& text, const std::string& source,
+                                          std::size_t line) const {
+  const geom::JsonFields fields(text, source, line);
+  if (fields.text("type") == "path") {
+    throw geom::InputError(source, line,
+                           {.expected = "a trajectory",
+                            .found = "a path, which has no times",
+                            .advice = "make a trajectory of it (skyway-traj)"});
+  }
+  const TrajectoryRecord record = read_trajectory_record(fields);
+  FlightInScene out;
+  out.scene = scenes_.shared_scene_for(record.provenance, source, line);
+  std::shared_ptr<const geom::CollisionScene> bare;
+  std::optional<SubmittedTubes> tubes;
+  if (tubes_) {
+    geom::Provenance room = geom::provenance_of(*out.scene);
+    room.margin = 0;
+    bare = bare_.shared_scene_for(room, source, line);
+    tubes.emplace(*tubes_, *bare);
+  }
+  out.flight = std::make_unique<SubmittedTrajectory>(*out.scene, record, method_, flier_, source,
+                                                     line, tubes);
+  return out;
+}
+
+std::vector<FlightInScene> SubmittedFlights::of_mission(const std::string& text,
+                                                        const std::string& source) const {
+  if (tubes_) {
+    throw geom::InputError(source, {.expected = "trajectories alone, which proved tubes are of",
+                                    .found = "a mission",
+                                    .advice = "leave --tube or the mission out"});
+  }
+  MissionReading reading;
+  reading.placement = placement_;
+  reading.rules.return_height = method_.return_height;
+  reading.flier = flier_;
+  const MissionFormat& format = recognised_mission_format(text);
+  const std::shared_ptr<const geom::CollisionScene> scene = scenes_.shared_scene_for({}, source, 0);
+  std::vector<FlightInScene> out;
+  for (const FileFlight& one :
+       read_mission(text, source, format, reading, scene->map().spec().frame)) {
+    out.push_back({scene, std::make_unique<SubmittedMission>(*scene, one, method_, flier_)});
+  }
+  return out;
+}
+
+std::string volumes_file(const std::string& name) { return "volumes/" + name + ".json"; }
+std::string risk_file(const std::string& name) { return "risk/" + name + ".geojson"; }
+
+}  // namespace traj

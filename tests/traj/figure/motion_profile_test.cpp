@@ -1,0 +1,48 @@
+#include "traj/figure/motion_profile.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+bool holds(const std::string& svg, const std::string& words) {
+  return svg.find(words) != std::string::npos;
+}
+
+TEST(MotionProfile, ShowsUnitsAndLimitsOnce) {
+  traj::TrajectoryRecord record;
+  record.id = "a<b";
+  record.status = traj::TrajectoryStatus::solved;
+  traj::State end;
+  end.position = {10, 0, 3};
+  record.trajectory.segments = {traj::hermite({}, end, 5)};
+  record.limits[geom::Limit::speed] = 8;
+  record.limits[geom::Limit::tilt] = 0.5;
+  const std::string svg = traj::figure::motion_profile(record);
+  for (const char* words :
+       {"position, m", "speed, m/s", "acceleration, m/s\u00b2", "jerk, m/s\u00b3", "thrust/mass",
+        "snap, m/s\u2074",
+        "\u222b |jerk|\u00b2 dt = ", "\u222b |snap|\u00b2 dt = ", "m\u00b2/s\u2077", "tilt, \u00b0",
+        "time, s", "vmax 8", "tilt 28.65", "a&lt;b: 5.00 s", "east", "north"}) {
+    EXPECT_TRUE(holds(svg, words)) << words;
+  }
+  EXPECT_FALSE(holds(svg, "amax"));
+  EXPECT_FALSE(holds(svg, "nan"));
+}
+
+TEST(MotionProfile, SaysHowMuchFasterAnyOtherCouldBe) {
+  traj::TrajectoryRecord record;
+  record.id = "a";
+  record.status = traj::TrajectoryStatus::solved;
+  traj::State end;
+  end.position = {10, 0, 0};
+  record.trajectory.segments = {traj::hermite({}, end, 5)};
+  record.limits[geom::Limit::speed] = 4;
+  EXPECT_FALSE(holds(traj::figure::motion_profile(record), "slower"));
+  record.bound = 10;
+  record.duration_bound = 2.4;
+  EXPECT_TRUE(holds(traj::figure::motion_profile(record), "at most 100.1 % slower than any"));
+  record.duration_bound = 2.6;  // 10 m at 4 m/s take 2.5 s
+  EXPECT_FALSE(holds(traj::figure::motion_profile(record), "slower"));
+}
+
+}  // namespace
