@@ -92,6 +92,8 @@ Case random_case(std::uint64_t seed, traj::ControlLaw law) {
   d.drag_error = random.uniform(0, 0.05) * scale;
   d.motor_lag_error = random.uniform(0, 0.02) * scale;
   d.inertia_error = random.uniform(0, 0.02) * scale;
+  d.start_error = random.uniform(0, cascade ? 0.02 : 0.0005) * scale;
+  d.start_speed = random.uniform(0, cascade ? 0.02 : 0.0005) * scale;
   return c;
 }
 
