@@ -1,4 +1,4 @@
-// Drone files that are proved.
+// Drone files, and folders for an authority, that are proved.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,6 +13,7 @@
 #include "traj/mission/airspace/flight_volumes.h"
 #include "traj/mission/export_mission.h"
 #include "traj/record/trajectory_record.h"
+#include "traj/submit/check_submission.h"
 
 namespace binding {
 namespace {
@@ -263,11 +264,21 @@ py::dict export_mission(const Scene& self, const py::object& what, const std::st
   return made.written ? accepted(made) : refused(made);
 }
 
+// The report of skyway-check as JSON.
+std::string check_submission(const std::string& folder, unsigned threads) {
+  const py::gil_scoped_release released;
+  traj::SubmissionRun run;
+  run.flights = run.pairs = on_threads(threads);
+  return traj::to_json_line(traj::check_submission(folder, run));
+}
+
 }  // namespace
 
 void bind_missions(py::module_& module) {
   module.def("export_mission", &export_mission, py::arg("scene"), py::arg("what"),
              py::arg("format"), py::kw_only(), py::arg("spare") = 0.0);
+  module.def("check_submission", &check_submission, py::arg("folder"), py::kw_only(),
+             py::arg("threads") = 0u);
 }
 
 }  // namespace binding

@@ -30,7 +30,7 @@ void bind_planner(py::module_& module);
 void bind_trajectories(py::module_& module);  // solve and check
 void bind_zones(py::module_& module);         // of airspace
 void bind_home(py::module_& module);          // returns and ways home
-void bind_missions(py::module_& module);      // export_mission
+void bind_missions(py::module_& module);      // export_mission, check_submission
 void bind_pictures(py::module_& module);      // SVG, and the page of skyway-view
 
 // A scene: the class that Python sees.

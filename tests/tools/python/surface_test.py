@@ -359,6 +359,17 @@ def test_zones_are_read():
     assert isinstance(raised(skyway.read_zones, source_dir / "data/samples/blocks.geojson"), skyway.InputError)
 
 
+def test_folders_are_checked(files):
+    folder = pathlib.Path(files) / "delivery"
+    report = skyway.check_submission(folder, threads=1)
+    assert report["ok"] and report["flights"] == 1 and not report["not_verified"], report
+    (folder / "summary.html").write_text("changed")
+    refused = skyway.check_submission(folder)
+    assert not refused["ok"] and refused["file"] == "manifest.json" and "summary.html" in refused["reason"], refused
+    assert isinstance(raised(skyway.check_submission, files), OSError)  # no manifest
+    assert isinstance(raised(skyway.check_submission, 7), TypeError)
+
+
 def test_ways_home_hold(out):
     field = skyway.BoxMap([[40, 40, 0, 50, 50, 20]], bounds=[[0, 0, 0], [200, 200, 80.0]])
     scene = skyway.CollisionScene(field, "box:0.2,0.2,0.2", 1.0)
@@ -440,10 +451,14 @@ def read_objects(files):
 def prepare(folder, tools):
     skyway.write_box_map(folder / "room.boxmap", ROOM)
     skyway.write_trajectories(folder / "t.jsonl", [TRAJECTORY])
+    timed = TRAJECTORY.to_json().replace('"id":"q1"', '"id":"q1","epoch":"2026-05-04T06:30:00Z","start":0')
+    (folder / "timed.jsonl").write_text(timed if timed.endswith("\n") else timed + "\n")
     words = ["--vehicle", "box:0.2,0.2,0.2", "-q"]
     for tool, *given in (("lattice", "room.boxmap", "--spacing", "1", *words, "-o", "room.lattice"),
                          ("roadmap", "room.boxmap", *words, "-o", "room.roadmap"),
-                         ("fly", "t.jsonl", "-q", "--vehicle", source_dir.resolve() / "data/vehicles/quad2kg.json", "-o", "flight.csv")):
+                         ("fly", "t.jsonl", "-q", "--vehicle", source_dir.resolve() / "data/vehicles/quad2kg.json", "-o", "flight.csv"),
+                         ("submit", "room.boxmap", "timed.jsonl", "--operation", SAMPLES.resolve() / "operation.json", *words, "--no-page",
+                          "--origin", "47,8,400", "-o", "delivery")):
         subprocess.run([tools / f"skyway-{tool}", *given], cwd=folder, check=True)
 
 
@@ -463,6 +478,7 @@ with tempfile.TemporaryDirectory() as folder:
     test_trajectories_are_made()
     test_ways_home_hold(folder)
     test_zones_are_read()
+    test_folders_are_checked(folder)
     test_objects_show_themselves(everything)
     test_mypy_agrees()
 print("the module says what it does")

@@ -19,13 +19,14 @@ from .planner import Planner
 from .reports import read_reports
 from .roadmap import Roadmap, read_roadmap
 from .solving import check, solve
+from .submission import check_submission
 from .trajectory import Trajectory, read_trajectories, write_trajectories
 from .vehicle import Vehicle
 from .zones import read_zones
 
 __all__ = [
     "BoxMap", "CollisionScene", "FlightLog", "InputError", "Lattice", "Page", "Path", "Picture", "Planner", "Roadmap",
-    "Trajectory", "UsageError", "Vehicle", "__version__", "check", "check_return", "check_ways_home", "export_mission", "import_boxes", "import_cloud",
+    "Trajectory", "UsageError", "Vehicle", "__version__", "check", "check_return", "check_submission", "check_ways_home", "export_mission", "import_boxes", "import_cloud",
     "import_footprints", "import_model", "page", "plot_clearance", "plot_plan", "plot_profile", "plot_tracking", "read_box_map",
     "read_flight_logs", "read_lattice", "read_paths", "read_queries", "read_reports", "read_roadmap", "read_trajectories", "read_zones",
     "solve", "ways_home", "write_box_map", "write_paths", "write_trajectories"
