@@ -4,8 +4,8 @@
 //
 // Example:
 //   geom::Scenes scenes(map, {.vehicle = vehicle, .margin = 0.2}, geom::Differences::refused, 1e9);
-//   SubmissionMethod method{.made_for = geom::provenance_of(scene), .limits = limits};
-//   const SubmittedFlights flights(scenes, method, {});
+//   traj::SubmissionMethod method{.made_for = geom::provenance_of(scene), .limits = limits};
+//   const traj::SubmittedFlights flights(scenes, method, {});
 //   assert(flights.placement().origin->latitude == method.origin.latitude);
 
 #include <memory>
