@@ -2,8 +2,8 @@
 
 namespace geom::gis {
 
-NumberGrid number_grid(const CellGrid2& grid, Axes axes) {
-  const bool enu = axes == Axes::enu;
+NumberGrid number_grid(const CellGrid2& grid, geom::Axes axes) {
+  const bool enu = axes == geom::Axes::enu;
   return {.columns = enu ? grid.columns : grid.rows,
           .rows = enu ? grid.rows : grid.columns,
           .cell = grid.cell,
@@ -11,9 +11,10 @@ NumberGrid number_grid(const CellGrid2& grid, Axes axes) {
           .bands = {}};
 }
 
-std::vector<double> from_north(const CellGrid2& grid, Axes axes, std::span<const double> values) {
+std::vector<double> from_north(const CellGrid2& grid, geom::Axes axes,
+                               std::span<const double> values) {
   const NumberGrid turned = number_grid(grid, axes);
-  const bool enu = axes == Axes::enu;
+  const bool enu = axes == geom::Axes::enu;
   std::vector<double> out;
   out.reserve(values.size());
   for (std::size_t i = 0; i < turned.rows; ++i) {

@@ -14,7 +14,7 @@ plan::bench::ShownReport parsed(const char* json) {
   return plan::bench::parse_report(geom::JsonFields(json, "report.json", 0), "set");
 }
 
-TEST(Comparison, ShowsLengthOverTheBestOnlyWhereAllHaveIt) {
+TEST(ComparedFigure, ShowsLengthOverTheBestOnlyWhereAllHaveIt) {
   const char* best = R"({"type":"benchmark","methods":[{"method":"a","trials":4,"found":3,)"
                      R"("time_ms":{"mean":0.2,"p50":0.1,"p99":1},)"
                      R"("length_over_reference":{"mean":1.01,"p50":1,"p99":1.1},)"
@@ -28,7 +28,7 @@ TEST(Comparison, ShowsLengthOverTheBestOnlyWhereAllHaveIt) {
   EXPECT_TRUE(holds(plan::bench::compared_figure(both), "3 of 4"));
 }
 
-TEST(Comparison, RefusesOtherRecords) {
+TEST(ComparedFigure, RefusesOtherRecords) {
   for (const char* json :
        {R"({"type":"path"})", R"({"type":"benchmark"})", R"({"type":"benchmark","methods":[]})",
         R"({"type":"benchmark","methods":[{"method":"a"}]})",

@@ -37,9 +37,10 @@ struct NumberGrid {
 };
 
 // The cells of a grid along the axes of a map, without bands.
-NumberGrid number_grid(const CellGrid2& grid, Axes axes);
+NumberGrid number_grid(const CellGrid2& grid, geom::Axes axes);
 
 // The values of its cells, in the order of a NumberBand. One for each cell (precondition).
-std::vector<double> from_north(const CellGrid2& grid, Axes axes, std::span<const double> values);
+std::vector<double> from_north(const CellGrid2& grid, geom::Axes axes,
+                               std::span<const double> values);
 
 }  // namespace geom::gis
