@@ -45,7 +45,8 @@ void to_places(std::vector<std::vector<std::size_t>>& counts) {
   }
 }
 
-void sort_by(const Digit& digit, std::span<const Keyed> from, std::span<Keyed> to,
+template <class Number>
+void sort_by(const Digit& digit, std::span<const Keyed<Number>> from, std::span<Keyed<Number>> to,
              const Execution& run) {
   const Stretches stretches(from.size(), run.threads);
   std::vector<std::vector<std::size_t>> places(stretches.count());
@@ -54,29 +55,35 @@ void sort_by(const Digit& digit, std::span<const Keyed> from, std::span<Keyed> t
   };
   parallel_for(stretches.count(), {run.threads, {}}, [&](std::size_t s) {
     std::vector<std::size_t> counts(std::size_t{1} << digit.bits);
-    for (const Keyed& item : of_stretch(s)) ++counts[digit.of(item.key)];
+    for (const Keyed<Number>& item : of_stretch(s)) ++counts[digit.of(item.key)];
     places[s] = std::move(counts);
   });
   to_places(places);
   parallel_for(stretches.count(), {run.threads, {}}, [&](std::size_t s) {
-    for (const Keyed& item : of_stretch(s)) to[places[s][digit.of(item.key)]++] = item;
+    for (const Keyed<Number>& item : of_stretch(s)) to[places[s][digit.of(item.key)]++] = item;
   });
 }
 
 }  // namespace
 
-LargeArray<Keyed> radix_sorted(LargeArray<Keyed> items, std::uint64_t largest,
-                               const Execution& run) {
+template <class Number>
+LargeArray<Keyed<Number>> radix_sorted(LargeArray<Keyed<Number>> items, std::uint64_t largest,
+                                       const Execution& run) {
   const auto width = static_cast<unsigned>(std::bit_width(largest));
   const unsigned digits = (width + kMostBits - 1) / kMostBits;
   if (digits == 0) return items;
   const unsigned bits = (width + digits - 1) / digits;
-  LargeArray<Keyed> room(items.all().size());
+  LargeArray<Keyed<Number>> room(items.all().size());
   for (unsigned d = 0; d < digits; ++d) {
-    sort_by({d * bits, bits}, items.all(), room.all(), run);
+    sort_by<Number>({d * bits, bits}, items.all(), room.all(), run);
     std::swap(items, room);
   }
   return items;
 }
+
+template LargeArray<Keyed<std::uint32_t>> radix_sorted(LargeArray<Keyed<std::uint32_t>>,
+                                                       std::uint64_t, const Execution&);
+template LargeArray<Keyed<std::uint64_t>> radix_sorted(LargeArray<Keyed<std::uint64_t>>,
+                                                       std::uint64_t, const Execution&);
 
 }  // namespace geom

@@ -10,14 +10,17 @@
 
 namespace geom {
 
+// Number: std::uint32_t or std::uint64_t.
+template <class Number>
 struct Keyed {
-  std::uint64_t key;
-  std::uint64_t item;  // what the key is of
+  Number key;
+  Number item;  // what the key is of
 };
 
 // By key, and items of one key in the order that they had. No key is above `largest`. Takes time
 // and memory in proportion to the number of items, for each 11 bits of the largest key.
-LargeArray<Keyed> radix_sorted(LargeArray<Keyed> items, std::uint64_t largest,
-                               const Execution& run);
+template <class Number>
+LargeArray<Keyed<Number>> radix_sorted(LargeArray<Keyed<Number>> items, std::uint64_t largest,
+                                       const Execution& run);
 
 }  // namespace geom

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "geom/base/error.h"
 #include "geom/base/sha256.h"
 #include "geom/base/usage_error.h"
@@ -32,9 +34,12 @@ bool CloudSource::wants(const CloudPoint& p) {
 }
 
 void CloudSource::place_wanted(std::span<const CloudPoint> chunk) {
-  wanted_.clear();
-  for (const CloudPoint& p : chunk) {
-    if (wants(p)) wanted_.push_back(p);
+  wanted_.assign(chunk.begin(), chunk.end());
+  if (options_.drop_noise || options_.classes.any()) {
+    std::erase_if(wanted_, [&](const CloudPoint& p) { return !wants(p); });
+  } else {
+    noise_ += static_cast<std::size_t>(std::count_if(
+        chunk.begin(), chunk.end(), [](const CloudPoint& p) { return is_noise_class(p.cls); }));
   }
   place_.place(wanted_);
   for (const CloudPoint& p : wanted_) {

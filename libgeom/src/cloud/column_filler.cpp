@@ -31,10 +31,12 @@ ColumnFiller::ColumnFiller(const CloudDraftOptions& options, const Shard& shard,
       run_{run.threads, {}},
       columns_(options.columns),
       beside_(run.threads <= 1) {
-  for (Batch* batch : {&next_, &current_}) {
-    batch->places.reserve(kBatch + kBlock);
-    batch->classes.reserve(kBatch + kBlock);
-  }
+  reserve();
+}
+
+void ColumnFiller::reserve() {
+  next_.places.reserve(kBatch + kBlock);
+  next_.classes.reserve(kBatch + kBlock);
 }
 
 void ColumnFiller::add(std::span<const CloudPoint> points) {
@@ -53,13 +55,15 @@ void ColumnFiller::finish() {
 void ColumnFiller::hand_over() {
   beside_.finish();
   std::swap(current_, next_);
-  next_.places.clear();
-  next_.classes.clear();
   beside_.run([this] {
     if (shard_.count > 1 || ground_) drop(current_);
     kept_ += current_.places.size();
     columns_.add(current_.places, options_.resolution, run_);
   });
+  if (run_.threads <= 1) std::swap(current_, next_);  // done: one batch is enough
+  reserve();
+  next_.places.clear();
+  next_.classes.clear();
 }
 
 // Takes out the points of other shards and the ground.

@@ -35,6 +35,7 @@ class ColumnFiller {
     std::vector<std::uint8_t> classes;
   };
 
+  void reserve();
   void hand_over();
   void drop(Batch& batch);
 

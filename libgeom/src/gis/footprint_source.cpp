@@ -48,23 +48,6 @@ std::string numeric_attributes(const Source& source) {
 
 }  // namespace
 
-std::vector<Vec2> CellGrid::ring(const Cells& cells) const {
-  std::vector<Vec2> out;
-  for (int i = cells.first_column; i < cells.last_column; ++i) {
-    out.push_back(corner(i, cells.first_row));
-  }
-  for (int j = cells.first_row; j < cells.last_row; ++j) {
-    out.push_back(corner(cells.last_column, j));
-  }
-  for (int i = cells.last_column; i > cells.first_column; --i) {
-    out.push_back(corner(i, cells.last_row));
-  }
-  for (int j = cells.last_row; j > cells.first_row; --j) {
-    out.push_back(corner(cells.first_column, j));
-  }
-  return out;
-}
-
 void count_height(const BuildingHeight& height, const std::string& which, Source& source) {
   ++source.counts[key_of(height.from)];
   if (height.junk) ++source.counts["heights_not_understood"];

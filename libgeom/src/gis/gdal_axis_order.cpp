@@ -57,8 +57,7 @@ std::optional<bool> in_area(const OGRSpatialReference& system, Vec2 p, const std
   double north = 0;
   if (!system.GetAreaOfUse(&west, &south, &east, &north, nullptr)) return std::nullopt;
   const OGRSpatialReference geodetic = reference("EPSG:4326", name);
-  const std::unique_ptr<OGRCoordinateTransformation> to_degrees(
-      OGRCreateCoordinateTransformation(&system, &geodetic));
+  const Conversion to_degrees = conversion(system, geodetic);
   if (!to_degrees) return std::nullopt;
   if (!to_degrees->Transform(1, &p.x(), &p.y()) || !p.allFinite()) return false;
   constexpr double kNear = 0.5;     // degrees

@@ -30,7 +30,7 @@ class ToRaster {
     earth_ = std::make_unique<GeographicFrame>(*frame.origin);
     const OGRSpatialReference from = reference("EPSG:4326", name);
     const OGRSpatialReference to = reference(crs, name);
-    transformation_.reset(OGRCreateCoordinateTransformation(&from, &to));
+    transformation_ = conversion(from, to);
     if (!transformation_) {
       throw InputError(name, {.says = "PROJ cannot convert longitude and latitude to the "
                                       "coordinates of the height model"});
@@ -63,7 +63,7 @@ class ToRaster {
  private:
   geom::Axes axes_;
   std::unique_ptr<GeographicFrame> earth_;
-  std::unique_ptr<OGRCoordinateTransformation> transformation_;
+  Conversion transformation_;
 };
 
 GroundGridSpec grid_of(const std::string& path, const BoxMapSpec& spec,

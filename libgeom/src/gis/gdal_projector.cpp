@@ -11,7 +11,7 @@
 namespace geom::gis {
 
 struct Projector::Transformation {
-  std::unique_ptr<OGRCoordinateTransformation> to_local;
+  Conversion to_local;
 };
 
 namespace {
@@ -84,12 +84,6 @@ std::string plane_about(const Vec2& at) {
       at.x());
 }
 
-using Conversion = std::unique_ptr<OGRCoordinateTransformation>;
-
-Conversion conversion(const OGRSpatialReference& from, const OGRSpatialReference& to) {
-  return Conversion(OGRCreateCoordinateTransformation(&from, &to));
-}
-
 // A tidy origin, a decimetre off.
 Vec2 tidy(const Vec2& p) { return (p * 1e6).array().round() / 1e6; }
 
@@ -100,15 +94,16 @@ bool convert_one(OGRCoordinateTransformation& by, Vec2& p) {
 // Points, each but once; neighbours in a grid share theirs.
 struct DistinctPoints {
   std::vector<Vec2> points;
-  std::vector<std::size_t> which;  // of `points`, for each that was given
+  std::vector<std::uint32_t> which;  // of `points`, for each that was given
 
   explicit DistinctPoints(const std::vector<Vec2>& given) {
-    std::vector<std::size_t> known(std::bit_ceil(2 * given.size() + 1), kNone);
+    std::vector<std::uint32_t> known(std::bit_ceil(2 * given.size() + 1), kNone);
+    which.reserve(given.size());
     for (const Vec2& p : given) {
       std::size_t at = hash(p) & (known.size() - 1);
       while (known[at] != kNone && !same(points[known[at]], p)) at = (at + 1) & (known.size() - 1);
       if (known[at] == kNone) {
-        known[at] = points.size();
+        known[at] = static_cast<std::uint32_t>(points.size());
         points.push_back(p);
       }
       which.push_back(known[at]);
@@ -116,7 +111,7 @@ struct DistinctPoints {
   }
 
  private:
-  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
   static std::uint64_t bits(double v) { return std::bit_cast<std::uint64_t>(v); }
   static bool same(const Vec2& a, const Vec2& b) {

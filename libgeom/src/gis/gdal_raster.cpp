@@ -183,10 +183,17 @@ class SurfaceReader {
         cell = rounded_up(cell);
       }
       f(row, cells);
+      if (row == raster_.height / 8) reserve();
     }
     const std::size_t all = cells.size() * static_cast<std::size_t>(raster_.height);
     if (known > 0) out_.counts["cells"] = known;
     if (known < all) out_.counts["cells_without_data"] = all - known;
+  }
+
+  // As if the rows to come were like those before, which are an eighth, and a little more.
+  void reserve() {
+    out_.footprints.reserve(9 * out_.footprints.size());
+    if (out_.grid) out_.grid->of.reserve(9 * out_.grid->of.size());
   }
 
   double rounded_up(double height) const {
@@ -292,11 +299,11 @@ std::optional<Terrain::Range> Terrain::surface(std::span<const Vec2> around) con
 
 std::optional<Terrain::Range> Terrain::range(const Vec2& low, const Vec2& high,
                                              const std::string& crs) const {
-  std::unique_ptr<OGRCoordinateTransformation> to_raster;
+  Conversion to_raster;
   if (!crs.empty() && !crs_.empty()) {
     const OGRSpatialReference from = reference(crs, name_);
     const OGRSpatialReference to = reference(crs_, name_);
-    to_raster.reset(OGRCreateCoordinateTransformation(&from, &to));
+    to_raster = conversion(from, to);
     if (!to_raster)
       throw InputError(
           name_,

@@ -57,8 +57,7 @@ class Corners {
       const auto columns = static_cast<std::size_t>(cells.last_column - cells.first_column);
       const auto rows = static_cast<std::size_t>(cells.last_row - cells.first_row);
       ends_ = {0, columns, columns + rows, 2 * columns + rows};
-      const std::vector<Vec2> ring = grid->ring(cells);
-      all.insert(all.end(), ring.begin(), ring.end());
+      grid->for_each_corner(cells, [&](const Vec2& corner) { all.push_back(corner); });
     } else {
       for_each_ring([&](const auto& ring) { all.insert(all.end(), ring.begin(), ring.end()); });
     }

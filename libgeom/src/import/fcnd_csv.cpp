@@ -19,6 +19,7 @@
 #include "geom/text/number.h"
 #include "geom/text/text_table.h"
 #include "text/line_blocks.h"
+#include "text/short_row.h"
 
 namespace geom {
 namespace {
@@ -127,31 +128,48 @@ void require_no_names(const TextLines& lines) {
 
 using Numbers = std::array<double, 6>;  // centre and half sizes
 
-// Six plain numbers between commas, perhaps with blanks, in place `columns`, as nearly all lines
-// have them; nothing where the line may be anything else.
-std::optional<Numbers> plain_numbers(std::string_view line, const Columns& columns) {
-  Numbers fields;
-  const char* at = line.data();
-  const char* const end = at + line.size();
+// Passes the rest of a line that has nothing more, and its line feed; null where it has.
+const char* line_end(const char* at, const char* end) {
+  while (at != end && (*at == ' ' || *at == '\t' || *at == '\r')) ++at;
+  if (at == end) return at;
+  return *at == '\n' ? at + 1 : nullptr;
+}
+
+// Null where no number of a double begins.
+const char* read_field(const char* at, const char* end, double& value) {
+  if (const char* const behind = read_short(at, end, value)) return behind;
+  const auto [behind, error] = read_number(at, end, value);
+  return error == std::errc() ? behind : nullptr;
+}
+
+// Six plain numbers between commas, perhaps with blanks, as nearly all lines have them. Returns
+// what is behind the line; null where the line may be anything else.
+const char* read_plain_line(const char* at, const char* end, Numbers& fields) {
   const auto pass_blanks = [&] {
     while (at != end && (*at == ' ' || *at == '\t')) ++at;
   };
   for (std::size_t i = 0; i < fields.size(); ++i) {
     pass_blanks();
-    const auto [rest, error] = read_number(at, end, fields[i]);
-    if (error != std::errc() || !(std::abs(fields[i]) <= kLargestCoordinate)) return std::nullopt;
-    at = rest;
+    at = read_field(at, end, fields[i]);
+    if (!at) return nullptr;
+    if (i + 1 == fields.size()) break;
     pass_blanks();
-    const bool last = i + 1 == fields.size();
-    if (last ? at != end : at == end || *at++ != ',') return std::nullopt;
+    if (at == end || *at++ != ',') return nullptr;
   }
+  return line_end(at, end);
+}
+
+// Fields in place `columns`; nothing where a line of them needs a closer look.
+std::optional<Numbers> plain_numbers(const Numbers& fields, const Columns& columns) {
   Numbers v;
+  bool ok = true;
   for (std::size_t i = 0; i < v.size(); ++i) {
     if (columns[i] >= fields.size()) return std::nullopt;
     v[i] = fields[columns[i]];
+    ok &= std::abs(v[i]) <= kLargestCoordinate;
   }
-  const bool sizes = v[3] >= 0 && v[4] >= 0 && v[5] >= 0 && v[3] + v[4] + v[5] > 0;
-  return sizes ? std::optional(v) : std::nullopt;
+  ok &= v[3] >= 0 && v[4] >= 0 && v[5] >= 0 && v[3] + v[4] + v[5] > 0;
+  return ok ? std::optional(v) : std::nullopt;
 }
 
 // Of any line, or its refusal.
@@ -186,10 +204,8 @@ Numbers checked_numbers(const TextLines& lines, const Columns& columns, std::siz
   return v;
 }
 
-void add_box(const TextLines& lines, const Columns& columns, std::size_t width, FcndTable& out) {
-  const auto plain = plain_numbers(lines.line(), columns);
-  const Numbers v = plain ? *plain : checked_numbers(lines, columns, width, out);
-  out.flat += std::count(v.begin() + 3, v.end(), 0.0) > 0;
+void add_box(const Numbers& v, std::size_t line, FcndTable& out) {
+  out.flat += v[3] == 0 || v[4] == 0 || v[5] == 0;
   Aabb box;
   double size = 0;
   for (int i = 0; i < 3; ++i) {
@@ -198,7 +214,7 @@ void add_box(const TextLines& lines, const Columns& columns, std::size_t width, 
     size = std::max(size, std::abs(box.max[i]) + std::abs(box.min[i]));
   }
   out.largest_change = std::max(out.largest_change, ulp(size));  // which grows with the size
-  out.table.add(box, lines.number());
+  out.table.add(box, line);
 }
 
 // What stands before the boxes, and which columns they have.
@@ -218,7 +234,7 @@ Layout read_layout(TextLines& lines, FcndTable& out) {
     }
     if (!out.origin && (out.origin = parse_origin(lines))) continue;
     if (starts_with_number(lines.line())) {
-      add_box(lines, layout.columns, layout.width, out);
+      add_box(checked_numbers(lines, layout.columns, layout.width, out), lines.number(), out);
       break;
     }
     // The three-line form names the two columns of its next line first.
@@ -248,10 +264,30 @@ struct Block {
     table.ids.clear();
     table.label.clear();
     boxes = {std::move(table), {}, 0, {}, 0};
-    TextLines text(lines.text, lines.before, source);
-    while (text.next()) {
-      if (!text.line().empty()) add_box(text, layout.columns, layout.width, boxes);
+    std::size_t line = lines.before;
+    const char* const end = lines.text.data() + lines.text.size();
+    for (const char* at = lines.text.data(); at != end;) {
+      ++line;
+      Numbers fields;
+      const char* next = read_short_row(at, lines.text, fields);
+      if (!next) next = read_plain_line(at, end, fields);
+      if (const auto plain = next ? plain_numbers(fields, layout.columns) : std::nullopt) {
+        add_box(*plain, line, boxes);
+        at = next;
+        continue;
+      }
+      const char* const feed = std::find(at, end, '\n');
+      add_any_line({at, feed}, line, source, layout);
+      at = feed == end ? end : feed + 1;
     }
+  }
+
+ private:
+  void add_any_line(std::string_view text, std::size_t number, std::string_view source,
+                    const Layout& layout) {
+    TextLines line(text, number - 1, source);
+    if (!line.next() || line.line().empty()) return;
+    add_box(checked_numbers(line, layout.columns, layout.width, boxes), number, boxes);
   }
 };
 

@@ -1,5 +1,6 @@
 #include "geom/map/box_map.h"
 
+#include <algorithm>
 #include <bit>
 #include <cassert>
 
@@ -13,15 +14,23 @@
 namespace geom {
 namespace {
 
+std::size_t timed_in(const BoxTable& table) {
+  return static_cast<std::size_t>(
+      std::count_if(table.times.begin(), table.times.end(),
+                    [](const TimeSpan& time) { return !canonical(time).always(); }));
+}
+
 std::shared_ptr<BoxMap::Data> sorted_into_tiles(BoxMapSpec spec, const BoxTable& table,
                                                 const Execution& run) {
   static_assert(sizeof(Aabb) == 6 * sizeof(double) && std::endian::native == std::endian::little);
   for (const TimeSpan& span : table.times) {
     if (const auto fault = span_fault(span)) throw InputError("the map", *fault);
   }
-  SortedBoxes sorted = sorted_by_tile(table, spec.tile_size, run);
-  auto data = std::make_shared<BoxMap::Data>();
   spec.bounds = canonical(spec.bounds);
+  MapHash sum(spec, timed_in(table));
+  SortedBoxes sorted = sorted_by_tile(table, spec.tile_size, run,
+                                      [&](std::span<const Aabb> boxes) { sum.add(boxes); });
+  auto data = std::make_shared<BoxMap::Data>();
   data->spec = std::move(spec);
   data->labels = table.labels;
   data->owned = std::move(sorted.boxes);
@@ -32,7 +41,7 @@ std::shared_ptr<BoxMap::Data> sorted_into_tiles(BoxMapSpec spec, const BoxTable&
   if (const auto fault = timed_fault(data->timed, data->boxes.size(), data->spec.epoch)) {
     throw InputError("the map", *fault);
   }
-  data->hash = hash_of(data->spec, sorted.tiles, data->boxes, data->timed, run);
+  data->hash = sum.text(data->boxes, data->timed);
   data->tiles.set(std::move(sorted.tiles));
   return data;
 }

@@ -18,7 +18,7 @@ namespace geom {
 namespace {
 
 constexpr std::size_t kShards = 1024;
-constexpr std::size_t kBlock = std::size_t{1} << 14;  // points that a thread takes at once
+constexpr std::size_t kBlock = std::size_t{1} << 15;  // points that a thread takes at once
 
 // The shard of a cell: by areas of 32 cells, so that points which are near to each other mostly
 // meet in one, and by a hash of these, so that all shards get about the same number.
@@ -143,8 +143,14 @@ void ColumnGrid::add(std::span<const Vec3> points, double reach, const Execution
   });
   constexpr std::size_t kTogether = 16;
   parallel_for(kShards / kTogether, {run.threads, {}}, [&](std::size_t group) {
+    std::vector<CellSpan> spans;  // of one shard
     for (std::size_t s = group * kTogether; s < (group + 1) * kTogether; ++s) {
-      for (std::size_t b = 0; b < count; ++b) impl_->shards[s].add(blocks[b].of(s), impl_->gap);
+      spans.clear();
+      for (std::size_t b = 0; b < count; ++b) {
+        const std::span<const CellSpan> some = blocks[b].of(s);
+        spans.insert(spans.end(), some.begin(), some.end());
+      }
+      impl_->shards[s].add(spans, impl_->gap);
     }
   });
   if (count < blocks.size()) blocks = {};  // mostly the last points of a stream

@@ -3,36 +3,65 @@
 #include <algorithm>
 
 namespace geom {
+namespace {
 
-// The cells of a large cloud are all over memory: a few are asked for at once, and then changed.
+bool holds(const HeightSpan& known, const HeightSpan& span) {
+  return static_cast<int>(known.low <= span.low) & static_cast<int>(span.high <= known.high);
+}
+
+// Whether a span adds nothing to what stands in place, as nearly all do. Spans only grow: what a
+// column once held in place, its list holds, too.
+bool is_known(const ColumnShard::Column& column, const HeightSpan& span) {
+  return static_cast<int>(holds(column.few[0], span)) |
+         static_cast<int>(holds(column.few[1], span));
+}
+
+bool is_near(const HeightSpan& a, const HeightSpan& b, std::int64_t gap) {
+  return static_cast<std::int64_t>(a.low) - b.high <= gap &&
+         static_cast<std::int64_t>(b.low) - a.high <= gap;
+}
+
+}  // namespace
+
+// The cells of a large cloud are all over memory: each is asked for well before it is changed.
 void ColumnShard::add(std::span<const CellSpan> spans, std::int64_t gap) {
-  constexpr std::size_t kAtOnce = 16;
-  std::array<Column*, kAtOnce> columns;
-  while (!spans.empty()) {
-    const std::span<const CellSpan> some = spans.first(std::min(kAtOnce, spans.size()));
-    for (std::size_t i = 0; i < some.size(); ++i) {
-      columns[i] = &tiles_.at(some[i].x, some[i].y);
-      __builtin_prefetch(columns[i], 1);
+  constexpr std::size_t kAhead = 64;
+  std::array<Column*, kAhead> asked;
+  for (std::size_t i = 0; i < spans.size() + kAhead; ++i) {
+    Column*& column = asked[i % kAhead];
+    if (i >= kAhead) {
+      const HeightSpan& span = spans[i - kAhead].span;
+      if (!is_known(*column, span)) settle(*column, span, gap);
     }
-    for (std::size_t i = 0; i < some.size(); ++i) settle(*columns[i], some[i].span, gap);
-    spans = spans.subspan(some.size());
+    if (i < spans.size()) {
+      column = &tiles_.at(spans[i].x, spans[i].y);
+      __builtin_prefetch(column, 1);
+      __builtin_prefetch(column->few.data() + 1, 1);  // perhaps in the next line of the cache
+    }
   }
 }
 
+// Most columns have one span or none.
 void ColumnShard::settle(Column& column, const HeightSpan& span, std::int64_t gap) {
-  for (const HeightSpan& known : spans_of(column)) {
-    if (known.low <= span.low && span.high <= known.high) return;
+  HeightSpan& known = column.few[0];
+  if (column.count == 0) {
+    known = span;
+    column.count = 1;
+  } else if (column.count == 1 && is_near(known, span, gap)) {
+    known = {std::min(known.low, span.low), std::max(known.high, span.high)};
+  } else {
+    merge_into(column, span, gap);
   }
-  merge_into(column, span, gap);
 }
 
 void ColumnShard::merge_into(Column& column, const HeightSpan& span, std::int64_t gap) {
   const HeightSpans known = spans_of(column);
+  if (std::any_of(known.begin(), known.end(),
+                  [&](const HeightSpan& s) { return holds(s, span); })) {
+    return;
+  }
   merged_.assign(known.begin(), known.end());
-  const auto near = [&](const HeightSpan& s) {
-    return static_cast<std::int64_t>(s.low) - span.high <= gap &&
-           static_cast<std::int64_t>(span.low) - s.high <= gap;
-  };
+  const auto near = [&](const HeightSpan& s) { return is_near(s, span, gap); };
   // What is near is consecutive; it and the new one become one, which may reach no others: those
   // are further from it than the gap, or would be near themselves.
   const auto first = std::find_if(merged_.begin(), merged_.end(), near);

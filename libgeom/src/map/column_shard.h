@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -33,9 +34,12 @@ class ColumnShard {
   // The spans of a cell: a few in place, more in a list of their own. A lone return takes 6 KiB, as
   // cells stand in tiles.
   struct Column {
+    // Holds no other span.
+    static constexpr HeightSpan kNone{std::numeric_limits<std::int32_t>::max(),
+                                      std::numeric_limits<std::int32_t>::min()};
     std::uint32_t count = 0;
     std::uint32_t list = 0;  // 1 + the index of its list, where it ever had one
-    std::array<HeightSpan, 2> few{};
+    std::array<HeightSpan, 2> few{kNone, kNone};  // those there were last, where there is a list
   };
   using Tiles = CellTiles<Column>;
 

@@ -28,14 +28,20 @@ struct Surface {
   bool likely_covered() const { return upright || footprint->likely_covered; }
 };
 
-// Of one that has a flat top; they reach `margin` further than needed.
-std::vector<Aabb> flat_boxes(const Footprint& f, double slack, double margin) {
+// Calls take(box) for the boxes of one that has a flat top; they reach `margin` further than
+// needed.
+template <class Take>
+void for_each_flat_box(const Footprint& f, double slack, double margin, const Take& take) {
   const double pad = margin + f.bulge;  // a corner moves by up to 1.5 times as much
-  std::vector<Aabb> out;
   for (const Rectangle& r : cover(f.polygon, slack - 1.5 * pad - f.bulge)) {
-    out.push_back(
-        {{r.min.x() - pad, r.min.y() - pad, f.bottom}, {r.max.x() + pad, r.max.y() + pad, f.top}});
+    take(Aabb{{r.min.x() - pad, r.min.y() - pad, f.bottom},
+              {r.max.x() + pad, r.max.y() + pad, f.top}});
   }
+}
+
+std::vector<Aabb> flat_boxes(const Footprint& f, double slack, double margin) {
+  std::vector<Aabb> out;
+  for_each_flat_box(f, slack, margin, [&](const Aabb& box) { out.push_back(box); });
   return out;
 }
 
@@ -90,10 +96,12 @@ struct Block {
 
   void add(std::span<const Footprint> feature, double slack) {
     const Footprint& first = feature.front();
-    const bool flat = feature.size() == 1 && first.heights.empty();
-    const std::vector<Aabb> made =
-        flat ? flat_boxes(first, slack, 0) : FeatureCover(feature, slack).boxes();
-    boxes.insert(boxes.end(), made.begin(), made.end());
+    if (feature.size() == 1 && first.heights.empty()) {
+      for_each_flat_box(first, slack, 0, [&](const Aabb& box) { boxes.push_back(box); });
+    } else {
+      const std::vector<Aabb> made = FeatureCover(feature, slack).boxes();
+      boxes.insert(boxes.end(), made.begin(), made.end());
+    }
     ids.resize(boxes.size(), first.id);
     label.resize(boxes.size(), first.label);
   }

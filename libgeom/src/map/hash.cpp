@@ -125,20 +125,18 @@ std::vector<Column> columns_of(double size, std::span<const Tile> tiles,
   return columns;
 }
 
-void add(Sha256& sum, std::span<const Aabb> boxes) { sum.update(std::as_bytes(boxes)); }
-
 // One that is too long to be held.
-void add_streamed(Sha256& sum, const Column& column) {
+void add_streamed(MapHash& sum, const Column& column) {
   constexpr std::size_t kPart = std::size_t{1} << 14;
   std::vector<Aabb> part;
   merge(column, [&](const Aabb& box) {
     part.push_back(box);
     if (part.size() < kPart) return;
-    add(sum, part);
+    sum.add(part);
     part.clear();
     trim_mapped_files();
   });
-  add(sum, part);
+  sum.add(part);
 }
 
 // Columns, copied out of a mapped file in its order: sorted where they are, they would keep
@@ -192,7 +190,8 @@ std::size_t window_size(std::span<const Column> columns) {
 
 // A window goes through three hands, taken, sorted and summed, and each window through another at
 // the same time.
-void add_boxes(Sha256& sum, std::span<const Column> columns, bool is_mapped, const Execution& run) {
+void add_boxes(MapHash& sum, std::span<const Column> columns, bool is_mapped,
+               const Execution& run) {
   Window taken;
   std::vector<std::vector<Aabb>> ready;
   while (!columns.empty() || !taken.columns.empty() || !ready.empty()) {
@@ -206,7 +205,7 @@ void add_boxes(Sha256& sum, std::span<const Column> columns, bool is_mapped, con
     std::vector<std::vector<Aabb>> sorted(taken.columns.size());
     parallel_for(sorted.size() + 2, {run.threads, {}}, [&](std::size_t i) {
       if (i == 0) {
-        for (const auto& some : ready) add(sum, some);
+        for (const auto& some : ready) sum.add(some);
       } else if (i == 1) {
         fresh = window_of(columns.first(next), is_mapped);
       } else {
@@ -240,27 +239,34 @@ void add_timed(Sha256& sum, std::span<const Aabb> boxes, const TimedBoxes& timed
 
 }  // namespace
 
-std::string hash_of(const BoxMapSpec& spec, std::span<const Tile> tiles,
-                    std::span<const Aabb> boxes, const TimedBoxes& timed, const Execution& run) {
-  Sha256 sum;
-  if (!timed.box.empty()) {
+MapHash::MapHash(const BoxMapSpec& spec, std::size_t timed) {
+  if (timed > 0) {
     const std::string times =
-        "timed\n" + std::to_string(timed.box.size()) + '\n' + *spec.epoch + '\n';
-    sum.update(std::as_bytes(std::span(times)));
+        "timed\n" + std::to_string(timed) + '\n' + spec.epoch.value_or("") + '\n';
+    sum_.update(std::as_bytes(std::span(times)));
   }
   const std::string head = std::string(name(spec.frame.axes)) + '\n' + spec.frame.crs + '\n';
-  sum.update(std::as_bytes(std::span(head)));
+  sum_.update(std::as_bytes(std::span(head)));
   if (spec.frame.origin) {
     const double origin[] = {spec.frame.origin->latitude, spec.frame.origin->longitude,
                              spec.frame.origin->height};
-    sum.update(std::as_bytes(std::span(origin)));
+    sum_.update(std::as_bytes(std::span(origin)));
   }
   const Aabb bounds = canonical(spec.bounds);
-  sum.update(std::as_bytes(std::span(&bounds, 1)));
+  add(std::span(&bounds, 1));
+}
+
+std::string MapHash::text(std::span<const Aabb> boxes, const TimedBoxes& timed) {
+  add_timed(sum_, boxes, timed);
+  return "sha256:" + sum_.hex();
+}
+
+std::string hash_of(const BoxMapSpec& spec, std::span<const Tile> tiles,
+                    std::span<const Aabb> boxes, const TimedBoxes& timed, const Execution& run) {
+  MapHash sum(spec, timed.box.size());
   const bool is_mapped = mapped_file_at(boxes.data()) != nullptr;
   add_boxes(sum, columns_of(spec.tile_size, tiles, boxes), is_mapped, run);
-  add_timed(sum, boxes, timed);
-  return "sha256:" + sum.hex();
+  return sum.text(boxes, timed);
 }
 
 }  // namespace geom

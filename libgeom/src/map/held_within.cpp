@@ -15,26 +15,6 @@ bool holds_all(const Aabb& box, const Aabb& reach) {
          box.min.y() <= reach.min.y() && box.max.y() >= reach.max.y();
 }
 
-struct Row {
-  double y;
-  double low;  // x
-  double high;
-};
-
-// Whether the polygon holds the middle of a place in the row that none of the boxes covers; these
-// are in the order of their lower x.
-bool has_gap(const Polygon& polygon, const std::vector<const Aabb*>& boxes, const Row& row) {
-  const auto is_gap = [&](double from, double to) {
-    return from < to && contains(polygon, {0.5 * (from + to), row.y});
-  };
-  double reached = row.low;
-  for (const Aabb* box : boxes) {
-    if (is_gap(reached, std::min(box->min.x(), row.high))) return true;
-    reached = std::max(reached, box->max.x());
-  }
-  return is_gap(reached, row.high);
-}
-
 }  // namespace
 
 Aabb reach_of(const Footprint& f) {
@@ -100,34 +80,64 @@ bool HeldWithin::holds_walls(const std::vector<Vec2>& ring) {
   return true;
 }
 
+// Where boxes begin and end along y within the reach, in order.
+void HeldWithin::cut_rows(const Aabb& reach) {
+  const auto add = [&](double y) {
+    if (y > reach.min.y() && y < reach.max.y()) rows_.push_back(y);
+  };
+  rows_ = {reach.min.y()};
+  for (const InPlan& box : coming_) add(box.y0);
+  const auto begins = static_cast<std::ptrdiff_t>(rows_.size());
+  for (const InPlan& box : coming_) add(box.y1);
+  std::sort(rows_.begin() + begins, rows_.end());
+  std::inplace_merge(rows_.begin(), rows_.begin() + begins, rows_.end());
+  rows_.push_back(reach.max.y());
+}
+
+// Whether the polygon holds the middle of a place in the row that none of the boxes in it covers.
+bool HeldWithin::has_gap(const Polygon& polygon, const Row& row) const {
+  const auto is_gap = [&](double from, double to) {
+    return from < to && contains(polygon, {0.5 * (from + to), row.y});
+  };
+  double reached = row.x0;
+  for (const InPlan& box : in_row_) {
+    if (is_gap(reached, std::min(box.x0, row.x1))) return true;
+    reached = std::max(reached, box.x1);
+  }
+  return is_gap(reached, row.x1);
+}
+
 // Whether the polygon, whose edges lie within the boxes, holds a place that none of them does. The
 // boxes' sides cut the rectangle around it into rows. No edge enters what no box covers between two
 // boxes of a row, so that lies inside the polygon as a whole or outside as a whole.
 bool HeldWithin::leaves_gap(const Polygon& polygon, const Aabb& reach) {
   if (near_.size() > kMostGapBoxes) return true;  // not worth looking: it gets boxes of its own
-  rows_ = {reach.min.y(), reach.max.y()};
+  coming_.clear();
   for (const Aabb& box : near_) {
-    for (const double y : {box.min.y(), box.max.y()}) {
-      if (y > reach.min.y() && y < reach.max.y()) rows_.push_back(y);
-    }
+    coming_.push_back({box.min.x(), box.max.x(), box.min.y(), box.max.y()});
   }
-  std::sort(rows_.begin(), rows_.end());
-  std::sort(near_.begin(), near_.end(),
-            [](const Aabb& a, const Aabb& b) { return a.min.y() < b.min.y(); });
-  in_row_.clear();  // by their lower x
-  auto next = near_.begin();
+  std::sort(coming_.begin(), coming_.end(),
+            [](const InPlan& a, const InPlan& b) { return a.y0 < b.y0; });
+  cut_rows(reach);
+  in_row_.clear();
+  auto next = coming_.begin();
+  double first_end = reach.max.y();  // no box of the row ends before it
   for (std::size_t j = 0; j + 1 < rows_.size(); ++j) {
-    if (rows_[j] == rows_[j + 1]) continue;
-    std::erase_if(in_row_, [&](const Aabb* box) { return box->max.y() <= rows_[j]; });
-    for (; next != near_.end() && next->min.y() <= rows_[j]; ++next) {
-      if (next->max.y() <= rows_[j]) continue;
-      in_row_.insert(
-          std::upper_bound(in_row_.begin(), in_row_.end(), &*next,
-                           [](const Aabb* a, const Aabb* b) { return a->min.x() < b->min.x(); }),
-          &*next);
+    const double y = rows_[j];
+    if (y == rows_[j + 1]) continue;
+    if (first_end <= y) {
+      std::erase_if(in_row_, [&](const InPlan& box) { return box.y1 <= y; });
+      first_end = reach.max.y();
+      for (const InPlan& box : in_row_) first_end = std::min(first_end, box.y1);
     }
-    const double middle = 0.5 * (rows_[j] + rows_[j + 1]);
-    if (has_gap(polygon, in_row_, {middle, reach.min.x(), reach.max.x()})) return true;
+    for (; next != coming_.end() && next->y0 <= y; ++next) {
+      if (next->y1 <= y) continue;
+      in_row_.insert(std::upper_bound(in_row_.begin(), in_row_.end(), *next,
+                                      [](const InPlan& a, const InPlan& b) { return a.x0 < b.x0; }),
+                     *next);
+      first_end = std::min(first_end, next->y1);
+    }
+    if (has_gap(polygon, {0.5 * (y + rows_[j + 1]), reach.min.x(), reach.max.x()})) return true;
   }
   return false;
 }

@@ -28,15 +28,31 @@ class HeldWithin {
     double to;
   };
 
+  // A box in plan: closed.
+  struct InPlan {
+    double x0;
+    double x1;
+    double y0;
+    double y1;
+  };
+  struct Row {
+    double y;
+    double x0;
+    double x1;
+  };
+
   static std::optional<Stretch> part_in(const Aabb& box, const Vec2& a, const Vec2& b);
   bool holds_wall(const Vec2& a, const Vec2& b);
   bool holds_walls(const std::vector<Vec2>& ring);
   bool leaves_gap(const Polygon& polygon, const Aabb& reach);
+  void cut_rows(const Aabb& reach);
+  bool has_gap(const Polygon& polygon, const Row& row) const;
 
   std::vector<Aabb> near_;  // boxes that may touch the footprint, and are as high
   std::vector<Stretch> stretches_;
   std::vector<double> rows_;
-  std::vector<const Aabb*> in_row_;
+  std::vector<InPlan> coming_;  // the same boxes, by their lower y
+  std::vector<InPlan> in_row_;  // by their lower x
 };
 
 }  // namespace geom

@@ -48,8 +48,15 @@ TEST(TileSort, IsByTileAndThenByBoxIdAndTimeForAnyNumberOfThreads) {
     const double size = seed % 2 ? 100 : 1;
     const BoxTable table = table_of(seed, seed < 10 ? 700 : 70000, side);
     const std::vector<std::size_t> order = sorted_by_definition(table, size);
+    std::vector<Aabb> by_coordinates = table.boxes;
+    std::sort(by_coordinates.begin(), by_coordinates.end(), comes_before);
     for (const unsigned threads : {1u, 2u, 7u}) {
-      const SortedBoxes sorted = sorted_by_tile(table, size, {threads, {}});
+      std::vector<Aabb> taken;
+      const SortedBoxes sorted =
+          sorted_by_tile(table, size, {threads, {}}, [&](std::span<const Aabb> boxes) {
+            taken.insert(taken.end(), boxes.begin(), boxes.end());
+          });
+      ASSERT_EQ(taken, by_coordinates) << seed << ", " << threads;
       ASSERT_EQ(sorted.boxes->boxes.all().size(), order.size());
       std::size_t timed = 0;
       for (std::size_t i = 0; i < order.size(); ++i) {
@@ -65,9 +72,21 @@ TEST(TileSort, IsByTileAndThenByBoxIdAndTimeForAnyNumberOfThreads) {
   }
 }
 
+TEST(TileSort, GivesTheBoxesOfALongColumnByCoordinatesToo) {
+  const BoxTable table = table_of(3, 300000, 400);
+  std::vector<Aabb> expected = table.boxes;
+  std::sort(expected.begin(), expected.end(), comes_before);
+  std::vector<Aabb> taken;
+  const auto take = [&](std::span<const Aabb> boxes) {
+    taken.insert(taken.end(), boxes.begin(), boxes.end());
+  };
+  EXPECT_EQ(sorted_by_tile(table, 1e6, {2, {}}, take).tiles.size(), 4u);
+  EXPECT_EQ(taken, expected);
+}
+
 TEST(TileSort, GivesEachTileItsBoxesAndTheBoxAroundThem) {
   const BoxTable table = table_of(5, 3000, 400);
-  const SortedBoxes sorted = sorted_by_tile(table, 50, {});
+  const SortedBoxes sorted = sorted_by_tile(table, 50, {}, [](std::span<const Aabb>) {});
   std::size_t next = 0;
   for (const Tile& tile : sorted.tiles) {
     ASSERT_EQ(tile.first, next);
@@ -81,7 +100,8 @@ TEST(TileSort, GivesEachTileItsBoxesAndTheBoxAroundThem) {
 }
 
 TEST(TileSort, OfNothingIsNothing) {
-  EXPECT_TRUE(sorted_by_tile(BoxTable(), 100, {}).tiles.empty());
+  const auto none = [](std::span<const Aabb> boxes) { EXPECT_TRUE(boxes.empty()); };
+  EXPECT_TRUE(sorted_by_tile(BoxTable(), 100, {}, none).tiles.empty());
 }
 
 }  // namespace

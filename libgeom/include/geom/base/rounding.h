@@ -36,14 +36,23 @@ inline double sum_error(double a, double b, double sum) {
   return (a - (sum - b_part)) + (b - b_part);
 }
 
-// Not below and not above a + b.
+// The next larger double of a number that is not 0, if `steps`. Without branches, because whether a
+// sum is exact cannot be predicted.
+inline double next_up_if(bool steps, double x) {
+  const auto bits = std::bit_cast<std::int64_t>(x);
+  const std::int64_t sign = bits >> 63;  // all bits of a negative number
+  return std::bit_cast<double>(bits + ((std::int64_t{steps} ^ sign) - sign));
+}
+
+// Not below and not above a + b. A sum that is 0, or so small that its neighbour is subnormal, is
+// exact.
 inline double add_up(double a, double b) {
   const double sum = a + b;
-  return sum_error(a, b, sum) > 0 ? next_up(sum) : sum;
+  return next_up_if(sum_error(a, b, sum) > 0, sum);
 }
 inline double add_down(double a, double b) {
   const double sum = a + b;
-  return sum_error(a, b, sum) < 0 ? next_down(sum) : sum;
+  return -next_up_if(sum_error(a, b, sum) < 0, -sum);
 }
 
 // Not below and not above a * b, where that is no subnormal number.

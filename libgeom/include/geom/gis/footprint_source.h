@@ -45,8 +45,15 @@ struct CellGrid {
     return {transform[0] + column * transform[1] + row * transform[2],
             transform[3] + column * transform[4] + row * transform[5]};
   }
-  // All corners of cells along the sides, beginning at that of the first column and row.
-  std::vector<Vec2> ring(const Cells& cells) const;
+  // Calls f(corner) for all corners of cells along the sides, from that of the first column and row
+  // on.
+  template <class F>
+  void for_each_corner(const Cells& cells, const F& f) const {
+    for (int i = cells.first_column; i < cells.last_column; ++i) f(corner(i, cells.first_row));
+    for (int j = cells.first_row; j < cells.last_row; ++j) f(corner(cells.last_column, j));
+    for (int i = cells.last_column; i > cells.first_column; --i) f(corner(i, cells.last_row));
+    for (int j = cells.last_row; j > cells.first_row; --j) f(corner(cells.first_column, j));
+  }
 };
 
 struct Source {
