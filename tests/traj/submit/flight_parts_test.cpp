@@ -31,7 +31,7 @@ TEST(FlightParts, HaveAllOfAFlightThatHolds) {
   EXPECT_EQ(parts.id, "q1");
   EXPECT_EQ(parts.claims.id, "q1");
   std::istringstream volumes(parts.volumes);
-  EXPECT_FALSE(geom::read_intent_volumes(volumes, "v").off_nominal.empty());
+  EXPECT_FALSE(geom::read_intent_volumes(volumes, "v").nominal.empty());
   EXPECT_EQ(read_risk_geojson(parts.risk, "r").volumes.buffers.size(), parts.buffers.size());
   EXPECT_FALSE(parts.certificate.empty());
 }

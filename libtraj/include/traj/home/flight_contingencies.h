@@ -3,10 +3,11 @@
 // Flights of a stream of records held against their planned ways home.
 //
 // Example:
-//   std::istringstream none;
-//   const traj::FlightContingencies ways(none, "ways.jsonl", {});
-//   const traj::HomeFlight flight{.id = "q1", .stages = traj::stages_of(trajectory)};
-//   assert(!ways.check(scene, flight, {.exact = true}).report.result.ok);  // no way from anywhere
+//   std::istringstream in(traj::to_json_line(traj::ContingencyRecord{.id = "q1", .until = 5}));
+//   const traj::FlightContingencies ways(in, "ways.jsonl", {});
+//   traj::HomeFlight flight{.id = "q1"};
+//   flight.stages = traj::stages_of(trajectory);
+//   assert(!ways.check(scene, flight, {.exact = true}).report.result.ok);  // no way was found
 
 #include <iosfwd>
 #include <map>
