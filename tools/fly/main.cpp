@@ -72,13 +72,6 @@ void check_usage(const fly::Options& options, const Inputs& inputs, const cli::S
   if (!outputs.certificate.empty() && options.flown.controller != traj::ControlLaw::geometric) {
     throw cli::UsageError("--certificate: give --controller geometric; the script knows no other");
   }
-  if (!outputs.certificate.empty() &&
-      std::max({options.flown.drag_error, options.flown.motor_lag_error,
-                options.flown.inertia_error}) > 0) {
-    throw cli::UsageError(
-        "--certificate holds for ranges of winds, gusts and masses alone: leave out --drag-error, "
-        "--motor-lag-error and --inertia-error");
-  }
   if (options.proved_tube && sharding.asked() && options.runs > 0) {
     throw cli::UsageError(
         "a shard of --runs proves nothing: give --proved-tube later, with --join");

@@ -92,14 +92,15 @@ class Deviations:
 
     def __init__(self, claim, cell):
         self.claim = claim
-        wind, radius, lightness, lightness_half = cell.nominal()
+        _, radius, factors, halves = cell.nominal()
+        lightness, lightness_half = factors[0], halves[0]
         held = np.zeros((STATES, 3))
         held[WIND:WIND + 3] = np.diag(radius)
-        mass = np.zeros((STATES, 1))
-        mass[LIGHTNESS] = lightness_half
-        mass[LAG + 2] = GRAVITY / lightness**2 * lightness_half
+        vehicle = np.zeros((STATES, STATES - LIGHTNESS))  # masses first
+        vehicle[LIGHTNESS:] = np.diag(halves)
+        vehicle[LAG + 2, 0] = GRAVITY / lightness**2 * lightness_half
         none = np.zeros((STATES, 0))
-        self.held = Terms(mass, held) if cell.is_ball else Terms(np.hstack([held, mass]), none)
+        self.held = Terms(vehicle, held) if cell.is_ball else Terms(np.hstack([held, vehicle]), none)
         start = np.zeros((STATES, 1))
         start[LAG + 2] = GRAVITY * lightness_half**2 / (lightness - lightness_half) ** 3 * UP + SLACK
         start[:CHANGING, 0] += SLACKS
