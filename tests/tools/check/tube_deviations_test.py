@@ -75,7 +75,7 @@ def main():
                         assert reach[j] >= worst(along, begin + j, maps, named, box, begun)
                     ratios.append((bounds[j] / np.maximum(exact, 1e-9)).max())
             deviations.end()
-        assert max(ratios) < 1.5, ratios
+        assert max(ratios) < 1.2, ratios
         print(f"cell {part}: bounds are at most {max(ratios):.3f} times the worst there is")
 
 

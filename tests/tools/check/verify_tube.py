@@ -81,6 +81,7 @@ class Claim:
         for name in ("mass", "torque_per_thrust", "motor_time_constant"):
             setattr(self, name, positive(vehicle[name], name))
         self.inertia, self.arm = positives(vehicle["inertia"], 3, "inertia"), positives(vehicle["arm"], 2, "arm")
+        require(2 * max(self.inertia) <= sum(self.inertia) * (1 + 1e-9), "no body has more inertia about one axis than about the other two together")
         self.drag = numbers(vehicle["drag"], 3, "drag", least=0)
         self.motor_least, self.motor_most = (number(vehicle[name], name) for name in ("motor_least", "motor_most"))
         self.drag_rate = self.drag[0] / self.mass
