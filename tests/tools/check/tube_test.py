@@ -157,7 +157,9 @@ cases = [certified(trajectory("along", [[0, 0, 5], [0.06, -0.03, 5.02]], 0.8), *
                    "--wind-spread", "0.05", "--gust-most", "0.1"),
          certified(trajectory("cells", [[0, 0, 5], [0, 0, 5]], 0.2), *QUAD[:4], "--wind-spread", "1.2", "--mass-error", "0.03"),
          certified(trajectory("ranges", [[0, 0, 5], [0.04, -0.02, 5]], 0.6), *QUAD, "--drag-error", "0.05", "--motor-lag-error", "0.03",
-                   "--inertia-error", "0.01")]
+                   "--inertia-error", "0.01"),
+         # Long enough for old columns to become boxes, in which the fast coordinates must not grow.
+         certified(trajectory("old", [[0, 0, 5], [0.3, 0.2, 5.1]], 4), "--vehicle", "crazyflie", "--mass-error", "0.002", "--drag-error", "0.1")]
 schema = schemas.validators(pathlib.Path(__file__).resolve().parents[3])["tube_certificate"]
 for record, certificate in cases:
     verify(record, certificate)
@@ -169,7 +171,7 @@ assert len(cases[2][1]["cells"]) > 1, "no case has several cells"
 
 require_exit_codes(*cases[0])
 tried, wrong, asked = collections.Counter(), [], collections.Counter()
-streams = [Mutants(SEED * 10 + i).of(*case) for i, case in enumerate(cases)]
+streams = [Mutants(SEED * 10 + i).of(*case) for i, case in enumerate(cases[:4])]
 chance = random.Random(SEED)
 for _ in range(MUTANTS):
     what, record, certificate, expected = next(chance.choices(streams, (5, 3, 1, 4))[0])
