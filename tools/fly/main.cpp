@@ -88,11 +88,10 @@ void check_usage(const fly::Options& options, const Inputs& inputs, const cli::S
     throw cli::UsageError("--certificate: give --controller geometric; the script knows no other");
   }
   if (!outputs.certificate.empty() &&
-      std::max({options.flown.start_error, options.flown.start_speed, options.flown.drag_error,
-                options.flown.motor_lag_error, options.flown.inertia_error}) > 0) {
+      std::max(options.flown.start_error, options.flown.start_speed) > 0) {
     throw cli::UsageError(
-        "--certificate holds for ranges of winds, gusts and masses alone: leave out --start-error, "
-        "--start-speed, --drag-error, --motor-lag-error and --inertia-error");
+        "--certificate holds for flights that begin at rest on the first point: leave out "
+        "--start-error and --start-speed");
   }
   if (options.proved_tube && sharding.asked() && options.runs > 0) {
     throw cli::UsageError(

@@ -250,8 +250,6 @@ std::string in_words(const TubeTrouble& trouble) {
       return fmt::format("the vehicle may tip over at {:.4g} s", trouble.time);
     case TubeTrouble::Kind::steps:
       return "steps of a millisecond are too coarse for this vehicle";
-    case TubeTrouble::Kind::bounds:
-      return "there are no bounds that a certificate could claim";
     case TubeTrouble::Kind::velocity:
       return clipped("the velocity that the position loop wants", "m/s");
     case TubeTrouble::Kind::acceleration:

@@ -30,7 +30,8 @@ class CellProof {
  public:
   CellTube prove() {
     look_at_weight();
-    for (long n = -before_; n <= steps_ && !out_.trouble; n += period_) advance(n);
+    for (long n = -before_; n <= steps_ && !out_.trouble;) n = law().pass(n);
+    if (!out_.trouble) tell();
     if (!out_.trouble) compare_with_simulator();
     return std::move(out_);
   }
@@ -55,6 +56,34 @@ class CellProof {
     for (int i = 0; i < 3; ++i) {
       gust_(Rows::kGust + i, i) = (1 - gust_kept(d.gust_lag, period_)) * d.gust_most;
     }
+  }
+
+  static constexpr double slack(int row) {
+    return row >= Rows::kSpin && row < Rows::kPastSpins ? kSpinSlack : kSlack;
+  }
+
+  // What is known at the start of a period, to come back to.
+  struct Moment {
+    std::size_t cursor;
+    Vector middle;
+    ErrorSetOf<Rows> errors;
+    std::size_t notes;
+  };
+
+  Moment moment() const { return {cursor_, middle_, errors_, notes_.size()}; }
+
+  void return_to(const Moment& then) {
+    cursor_ = then.cursor;
+    middle_ = then.middle;
+    errors_ = then.errors;
+    notes_.resize(then.notes);
+    out_.trouble.reset();
+  }
+
+  // Through the period from step n on, to the step that is next.
+  long pass(long n) {
+    advance(n);
+    return n + period_;
   }
 
   static Model lightness_of(const TubeCell& cell) {
@@ -139,6 +168,7 @@ class CellProof {
       held.intervals.row(i) =
           m.l.template segment<kHeld>(Rows::kLightness).matrix().transpose() * (1 + 1e-14);
       box[i] = m.r;
+      if (cell_.by_spans && i < Rows::kWind) box[i] += slack(i);  // a checker starts from there
     });
     if (may_start_off(d)) {
       held.balls = Columns::Zero(Rows::kPadded, 6);
@@ -179,18 +209,13 @@ class CellProof {
     const auto step = law().step(symbols.state(middle_));
     look_for_limits(n, symbols, step);
     if (out_.trouble) return;
-    if (n + period_ > 0) {
-      note_radius(n, radius(step));
-      note_tilt(step);
-    }
-    if (n >= 0 && n % kStepsPerSample == 0)
-      distances_.emplace_back(n / kStepsPerSample, law().offset().norm());
+    if (n + period_ > 0) notes_.push_back({n, radius(step), tilt(step), law().offset().norm()});
     PeriodMapOf<Rows> period = symbols.map(step.state);
     period.added.gust = gust_;
     if (!period.finite()) return note(TubeTrouble::Kind::tilt, n);
     for (int i = 0; i < Rows::kWind; ++i) {
       middle_[i] = period.middle[i];
-      period.added.box[i] += i >= Rows::kSpin && i < Rows::kPastSpins ? kSpinSlack : kSlack;
+      period.added.box[i] += slack(i);
     }
     law().look_at_hover(n, period.map);
     errors_.advance(period.map, period.added);
@@ -220,22 +245,28 @@ class CellProof {
     return law().offset().norm() + errors_.reach(place_) + further + kSlack;
   }
 
-  void note_radius(long n, double radius) {
-    const auto period = [&](long step) {
+  template <class Step>
+  static double tilt(const Step& step) {
+    constexpr double kPi = 3.141592653589793;
+    double out = 0;
+    for (const Model& upright : step.upright) {
+      const double least = upright.least() - kSlack;
+      out = std::max(out, least >= -1 ? std::acos(std::min(least, 1.0)) : kPi);
+    }
+    return out;
+  }
+
+  // Radii and tilt of all periods.
+  void tell() {
+    const auto part = [&](long step) {
       const double at = static_cast<double>(std::max(step, 0L)) * kStep;
       return std::min(static_cast<std::size_t>(at / kTubePeriod), out_.radius.size() - 1);
     };
-    for (std::size_t k = period(n); k <= period(n + period_); ++k) {
-      out_.radius[k] = std::max(out_.radius[k], radius);
-    }
-  }
-
-  template <class Step>
-  void note_tilt(const Step& step) {
-    constexpr double kPi = 3.141592653589793;
-    for (const Model& upright : step.upright) {
-      const double least = upright.least() - kSlack;
-      out_.tilt = std::max(out_.tilt, least >= -1 ? std::acos(std::min(least, 1.0)) : kPi);
+    for (const Note& note : notes_) {
+      for (std::size_t k = part(note.step); k <= part(note.step + period_); ++k) {
+        out_.radius[k] = std::max(out_.radius[k], note.radius);
+      }
+      out_.tilt = std::max(out_.tilt, note.tilt);
     }
   }
 
@@ -250,15 +281,25 @@ class CellProof {
     flown.motor_lag_error = 1 / middle_[Rows::kQuickness] - 1;
     flown.inertia_error = middle_.template segment<3>(Rows::kAgility).cwiseInverse() - Vec3::Ones();
     const Flight flight = simulate(track_, flown, {});
-    for (const auto& [sample, distance] : distances_) {
-      const auto k = static_cast<std::size_t>(sample);
-      if (k < flight.error.size() && std::abs(flight.error[k] - distance) <= kAgreement) continue;
-      return note(TubeTrouble::Kind::steps, sample * kStepsPerSample);
+    for (const Note& found : notes_) {
+      if (found.step < 0 || found.step % kStepsPerSample != 0) continue;
+      const auto k = static_cast<std::size_t>(found.step / kStepsPerSample);
+      if (k < flight.error.size() && std::abs(flight.error[k] - found.offset) <= kAgreement)
+        continue;
+      return note(TubeTrouble::Kind::steps, found.step);
     }
   }
 
   Eigen::Matrix<double, Rows::kPadded, 3> gust_ = Eigen::Matrix<double, Rows::kPadded, 3>::Zero();
-  std::vector<std::pair<long, double>> distances_;  // m of the middle, at the simulator's samples
+
+  // Of the period from a step on.
+  struct Note {
+    long step;
+    double radius;  // m
+    double tilt;    // rad
+    double offset;  // m: of the middle, at its start
+  };
+  std::vector<Note> notes_;
 };
 
 }  // namespace traj

@@ -1,6 +1,7 @@
 #include "tube/prove_cell.h"
 
 #include "tube/cell_proof.h"
+#include "tube/span_claims.h"
 
 namespace traj {
 namespace {
@@ -33,7 +34,7 @@ class GeometricProof : public CellProof<GeometricProof, GeometricRows> {
         const TaylorModel& m = step.commands[j][i];
         const double half = std::min(q.motor_most - m.c, m.c - q.motor_least);
         if (half > m.radius()) continue;
-        const double room = half - bound_of(m);
+        const double room = half - (cell_.by_spans ? kCheckersRoom : 1) * bound_of(m);
         if (room > 0) continue;
         const double time = static_cast<double>(j) * kStep;
         if (!std::isfinite(room)) return TubeTrouble{TubeTrouble::Kind::tilt, 0, time, 0};
@@ -52,18 +53,32 @@ class GeometricProof : public CellProof<GeometricProof, GeometricRows> {
     return -(asked - damped).cwiseQuotient(loop_.gains.position);
   }
 
-  // Notes the bounds of this period, and gives those that count.
-  ErrorVector sizes(long n) {
-    ErrorVector out = symbol_sizes(loop_.model, errors_);
-    const auto span = static_cast<std::size_t>((n + before_) / period_ / kSpanPeriods);
-    if (out_.bounds.size() <= span) out_.bounds.resize(span + 1, SpanBounds{});
-    Eigen::Map<Eigen::Matrix<double, kSpanBounds, 1>> bounds(out_.bounds[span].data());
-    bounds = bounds.cwiseMax(out.head<kSpanBounds>());
-    if (!cell_.bounds.empty()) {
-      out.head<kSpanBounds>() =
-          Eigen::Map<const Eigen::Matrix<double, kSpanBounds, 1>>(cell_.bounds[span].data());
-    }
+  Vector sizes(long) {
+    Vector out = symbol_sizes(loop_.model, errors_);
+    if (!cell_.by_spans) return out;
+    SpanClaims::Bounds found;
+    Eigen::Map<Eigen::Matrix<double, kSpanBounds, 1>> rows(found.data());
+    rows = out.head<kSpanBounds>();
+    out.head<kSpanBounds>() =
+        Eigen::Map<const Eigen::Matrix<double, kSpanBounds, 1>>(claims_.taken_for(found).data());
     return out;
+  }
+
+  // Through a span, if there are spans, else through a period.
+  long pass(long n) {
+    if (!cell_.by_spans) return CellProof::pass(n);
+    const Moment begin = moment();
+    while (true) {
+      long next = n;
+      for (int k = 0; k < claims_.periods() && next <= steps_ && !out_.trouble; ++k) {
+        next = CellProof::pass(next);
+      }
+      if (out_.trouble ? !claims_.shorten() : claims_.settle()) {
+        out_.spans = claims_.spans();
+        return next;
+      }
+      return_to(begin);
+    }
   }
 
   void look_at_hover(long n, const ErrorMatrix& map) {
@@ -84,6 +99,7 @@ class GeometricProof : public CellProof<GeometricProof, GeometricRows> {
   }
 
   Loop loop_;
+  SpanClaims claims_;
 };
 
 }  // namespace

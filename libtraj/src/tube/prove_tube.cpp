@@ -9,8 +9,8 @@
 namespace traj {
 namespace {
 
-TubeCell whole(const Disturbances& d) {
-  return {d.wind, d.wind_spread, Vec3::Zero(), 1 - d.mass_error, 1 + d.mass_error, {}, {}};
+TubeCell whole(const Disturbances& d, bool by_spans) {
+  return {d.wind, d.wind_spread, Vec3::Zero(), 1 - d.mass_error, 1 + d.mass_error, {}, by_spans};
 }
 
 // Whether some wind of the box is allowed.
@@ -46,7 +46,7 @@ void add(ProvedTube& tube, const TubeCell& part, CellTube&& cell) {
   tube.damping = std::min(tube.damping, cell.damping);
   tube.tilt = std::max(tube.tilt, cell.tilt);
   ++tube.cells;
-  tube.proofs.push_back({part.part, std::move(cell.bounds)});
+  tube.proofs.push_back({part.part, std::move(cell.spans)});
 }
 
 // The middle alone: if its gusts are too much, no smaller cells help.
@@ -64,8 +64,8 @@ ProvedTube prove_tube(const ReferenceTrack& track, const FlightOptions& options,
   ProvedTube out;
   const bool cascade = options.law == ControlLaw::cascade;
   assert(!(cascade && tube.by_spans));
-  const auto prove = cascade ? prove_cascade_cell : tube.by_spans ? prove_by_spans : prove_cell;
-  std::vector<TubeCell> cells = {whole(d)};
+  const auto prove = cascade ? prove_cascade_cell : prove_cell;
+  std::vector<TubeCell> cells = {whole(d, tube.by_spans)};
   bool first = true;
   while (!cells.empty()) {
     std::vector<CellTube> proved(cells.size());

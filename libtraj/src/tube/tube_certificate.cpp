@@ -7,13 +7,12 @@
 
 #include "geom/text/json_line.h"
 #include "traj/flight/monte_carlo.h"
+#include "tube/prove_cell.h"
 
 namespace traj {
 namespace {
 
 using geom::JsonLine;
-
-constexpr double kRoom = 1.015;
 
 double read(const std::string& text) {
   double out = 0;
@@ -46,13 +45,13 @@ JsonLine object_of(const GeometricGains& k) {
 }  // namespace
 
 ProvedTube with_room(ProvedTube tube) {
-  for (double& radius : tube.radius) radius = rounded_up(kRoom * radius);
+  for (double& radius : tube.radius) radius = rounded_up(kCheckersRoom * radius);
   tube.largest =
       tube.radius.empty() ? 0 : *std::max_element(tube.radius.begin(), tube.radius.end());
-  tube.tilt = rounded_up(kRoom * tube.tilt);
+  tube.tilt = rounded_up(kCheckersRoom * tube.tilt);
   for (ProvedCell& cell : tube.proofs) {
-    for (SpanBounds& bounds : cell.bounds) {
-      for (double& bound : bounds) bound = rounded_up(bound);
+    for (SpanBounds& span : cell.spans) {
+      for (double& bound : span.bounds) bound = rounded_up(bound);
     }
   }
   return tube;
@@ -69,10 +68,17 @@ std::string tube_certificate_line(const std::string& id, geom::Axes axes,
   line.add("attitude_period_ms", o.periods.attitude).add("hover", o.hover).add("settle", o.settle);
   line.add("wind", d.wind).add("wind_spread", d.wind_spread).add("gust_most", d.gust_most);
   line.add("gust_lag", d.gust_lag).add("mass_error", d.mass_error);
+  line.add("drag_error", d.drag_error).add("motor_lag_error", d.motor_lag_error);
+  line.add("inertia_error", d.inertia_error);
   line.add("period", kTubePeriod).add("tilt", tube.tilt).add("radius", tube.radius);
-  line.add("span", kSpanPeriods);
   line.add("cells", tube.proofs, [](const ProvedCell& cell) {
-    return JsonLine().add("part", cell.part).add("bounds", cell.bounds);
+    std::vector<int> periods;
+    std::vector<std::array<double, kSpanBounds>> bounds;
+    for (const SpanBounds& span : cell.spans) {
+      periods.push_back(span.periods);
+      bounds.push_back(span.bounds);
+    }
+    return JsonLine().add("part", cell.part).add("periods", periods).add("bounds", bounds);
   });
   return line.line();
 }

@@ -19,6 +19,7 @@ JOINED = 5  # periods whose gusts are added up
 SLOW = [0, 1, 2, 3, 4, 5, 9]  # lift, velocity and heading, which what is fast soon follows
 AGED = 10  # blocks, then what they did is joined
 OLD = 4  # of those, then it becomes a box
+KEPT = 100  # columns of those that grow old
 UP = 1 + 1e-12  # above the rounding of sums of thousands of terms of one sign
 
 
@@ -92,14 +93,15 @@ class Deviations:
 
     def __init__(self, claim, cell):
         self.claim = claim
-        wind, radius, lightness, lightness_half = cell.nominal()
+        _, radius, factors, halves = cell.nominal()
+        lightness, lightness_half = factors[0], halves[0]
         held = np.zeros((STATES, 3))
         held[WIND:WIND + 3] = np.diag(radius)
-        mass = np.zeros((STATES, 1))
-        mass[LIGHTNESS] = lightness_half
-        mass[LAG + 2] = GRAVITY / lightness**2 * lightness_half
+        vehicle = np.zeros((STATES, STATES - LIGHTNESS))  # masses first
+        vehicle[LIGHTNESS:] = np.diag(halves)
+        vehicle[LAG + 2, 0] = GRAVITY / lightness**2 * lightness_half
         none = np.zeros((STATES, 0))
-        self.held = Terms(mass, held) if cell.is_ball else Terms(np.hstack([held, mass]), none)
+        self.held = Terms(vehicle, held) if cell.is_ball else Terms(np.hstack([held, vehicle]), none)
         start = np.zeros((STATES, 1))
         start[LAG + 2] = GRAVITY * lightness_half**2 / (lightness - lightness_half) ** 3 * UP + SLACK
         start[:CHANGING, 0] += SLACKS
@@ -195,13 +197,13 @@ class Deviations:
             del self.aged[:AGED]
         if len(self.old) == 2 * OLD:
             oldest = Terms.all([self.tail, *self.old[:OLD]])
-            self.tail = Terms(around(np.hstack([oldest.intervals, oldest.balls]), np.zeros(STATES)), np.zeros((STATES, 0)))
+            self.tail = Terms(fewer(np.hstack([oldest.intervals, oldest.balls]), np.zeros(STATES)), np.zeros((STATES, 0)))
             del self.old[:OLD]
 
     @staticmethod
     def joined(blocks):
         terms = Terms.all(blocks)
-        return Terms(around(terms.intervals, ROUNDING * terms.sizes()), terms.balls)
+        return Terms(fewer(terms.intervals, ROUNDING * terms.sizes()), terms.balls)
 
 
 def added_up(balls, count):
@@ -209,6 +211,13 @@ def added_up(balls, count):
     balls = balls.reshape(STATES, -1, count, 3)
     mean = balls.mean(2, keepdims=True)
     return (mean * count).reshape(STATES, -1), np.diag(ball_norms((balls - mean).reshape(STATES, -1)))
+
+
+def fewer(columns, more):
+    """The columns that do most to what is slow, and few around the others."""
+    box = np.maximum(np.abs(columns).sum(1), 1e-300)
+    order = np.argsort((np.abs(columns[SLOW]) / box[SLOW, None]).sum(0))
+    return np.hstack([columns[:, order[-KEPT:]], around(columns[:, order[:-KEPT]], more)])
 
 
 def around(columns, more):

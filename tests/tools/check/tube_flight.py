@@ -12,8 +12,8 @@ STEP = 1e-3  # s
 FILTER_SHARE = STEP / (STEP + 1 / (2 * 3.141592653589793 * 30))  # of the low pass on angular acceleration
 
 # Rows of the state in the coordinates of docs/tube.md.
-LIFT, VELOCITY, LAG, HEADING, RATES, SPIN, FILTERED, TURNED, GUST, WIND, LIGHTNESS = 0, 3, 6, 9, 10, 13, 16, 19, 22, 25, 28
-STATES = 29
+LIFT, VELOCITY, LAG, HEADING, RATES, SPIN, FILTERED, TURNED, GUST, WIND, LIGHTNESS, DRAG, QUICKNESS, AGILITY = 0, 3, 6, 9, 10, 13, 16, 19, 22, 25, 28, 29, 30, 31
+STATES = 34
 
 
 # ---- The reference.
@@ -95,8 +95,12 @@ def body_axes(q):
 class Quadrotor:
     """Position, velocity, quaternion (w first), body rates and motor thrusts as one list of 17 numbers."""
 
-    def __init__(self, claim, mass, wind):
-        self.claim, self.mass, self.wind = claim, mass, wind
+    def __init__(self, claim, factors, wind):
+        """`factors`: how it differs from what is believed, the coordinates from LIGHTNESS on."""
+        lightness, drag, quickness, *agility = factors
+        self.claim, self.factors, self.wind = claim, list(factors), wind
+        self.mass, self.lag = claim.mass / lightness, claim.motor_time_constant / quickness
+        self.drag, self.inertia = [d * drag for d in claim.drag], [j / a for j, a in zip(claim.inertia, agility)]
 
     def torque(self, thrusts):
         a, b, c, d = thrusts
@@ -105,7 +109,7 @@ class Quadrotor:
 
     def slope(self, s, command):
         q, w, thrusts = s[6:10], s[10:13], s[13:17]
-        axes, inertia, drag = body_axes(q), self.claim.inertia, self.claim.drag
+        axes, inertia, drag = body_axes(q), self.inertia, self.drag
         air = (s[3] - self.wind[0], s[4] - self.wind[1], s[5] - self.wind[2])
         force = [-drag[i] * dot(axes[i], air) for i in range(3)]
         force[2] += sum(thrusts)
@@ -115,9 +119,8 @@ class Quadrotor:
         torque = self.torque(thrusts)
         v = q[1:]
         more = cross(v, w)
-        lag = self.claim.motor_time_constant
         return [*s[3:6], *acceleration, -0.5 * dot(v, w), *(0.5 * (q[0] * w[i] + more[i]) for i in range(3)),
-                *((torque[i] - turn[i]) / inertia[i] for i in range(3)), *((command[i] - thrusts[i]) / lag for i in range(4))]
+                *((torque[i] - turn[i]) / inertia[i] for i in range(3)), *((command[i] - thrusts[i]) / self.lag for i in range(4))]
 
     def stepped(self, s, command):
         """Runge and Kutta's method of order 4."""
@@ -185,10 +188,10 @@ def coordinates(s, controller, quadrotor):
     torque = quadrotor.torque(s[13:17])
     return [*controller.lift, *s[3:6], *lag, math.atan2(seen[0][1], seen[0][0]), *s[10:13],
             *(torque[i] / claim.inertia[i] for i in range(3)), *controller.filtered,
-            *(s[10 + i] - controller.last_rates[i] for i in range(3)), 0.0, 0.0, 0.0, *quadrotor.wind, claim.mass / quadrotor.mass]
+            *(s[10 + i] - controller.last_rates[i] for i in range(3)), 0.0, 0.0, 0.0, *quadrotor.wind, *quadrotor.factors]
 
 
-def fly(claim, track, wind, lightness, periods, gusts=None):
+def fly(claim, track, wind, factors, periods, gusts=None):
     """The states at the starts of so many periods and one more, and the positions then, of a flight. `gusts` has those of each step.
 
     It starts at rest on the first reference, claim.before steps before the trajectory.
@@ -197,9 +200,8 @@ def fly(claim, track, wind, lightness, periods, gusts=None):
     rows = [r[::claim.period].tolist() for r in references]
     first = track.at(-1, -1)
     yaw = float(first[4][0])
-    mass = claim.mass / lightness
-    s = [*first[0][0].tolist(), 0.0, 0.0, 0.0, math.cos(yaw / 2), 0.0, 0.0, math.sin(yaw / 2), 0.0, 0.0, 0.0, *[mass * GRAVITY / 4] * 4]
-    quadrotor, controller = Quadrotor(claim, mass, wind), Controller(claim)
+    quadrotor, controller = Quadrotor(claim, factors, wind), Controller(claim)
+    s = [*first[0][0].tolist(), 0.0, 0.0, 0.0, math.cos(yaw / 2), 0.0, 0.0, math.sin(yaw / 2), 0.0, 0.0, 0.0, *[quadrotor.mass * GRAVITY / 4] * 4]
     states, places = [], []
     for k in range(periods + 1):
         controller.look(s, [r[k] for r in rows])

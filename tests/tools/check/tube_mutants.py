@@ -9,6 +9,7 @@ import random
 
 NOT_NUMBERS = [None, True, "0.1", "NaN", [], {}, [1], float("nan"), float("inf"), float("-inf"), 1e400, 10**400]
 VEHICLE = ("mass", "torque_per_thrust", "motor_time_constant", "motor_least", "motor_most", "inertia", "arm", "drag")
+RANGES = ("mass_error", "drag_error", "motor_lag_error", "inertia_error")
 GAINS = ("position", "velocity", "attitude", "rates", "lead")
 
 
@@ -92,8 +93,8 @@ class Mutants:
         return f"bound {row} {column} is {value}", "refused" if value <= 0 or value > 1e-6 else "same"
 
     def span(self, record, certificate):
-        cell = self.chance.choice(certificate["cells"])["bounds"]
-        kind = self.chance.randrange(4)
+        one = self.chance.choice(certificate["cells"])
+        cell, kind = one["bounds"], self.chance.randrange(4)
         if kind == 0:
             by = self.chance.uniform(0.1, 0.7)
             for row in cell:
@@ -101,13 +102,23 @@ class Mutants:
             return f"all bounds times {by}", "refused"
         if kind == 1:
             cell.reverse()
-            return "spans backwards", "refused"
+            return "bounds backwards", "refused"
         if kind == 2:
-            certificate["span"] = self.chance.choice([0, -1, 1, 5, 24, 26, 50, 1000, 25.5])
-            return f"span {certificate['span']}", "refused"
+            return self.periods(one["periods"])
         row = self.chance.choice(cell)
         row[:] = row[1:] + row[:1]
         return "a span's bounds turned", "refused"
+
+    def periods(self, periods):
+        """Other numbers of periods: for as many in all the claim is the same."""
+        k, other = self.chance.randrange(len(periods)), self.chance.randrange(len(periods))
+        if self.chance.random() < 0.5:
+            periods[k] = self.chance.choice([0, -1, -periods[k], periods[k] + 1, periods[k] - 1, 10**6, periods[k] + 0.5])
+            return f"span {k} of {periods[k]}", "refused"
+        by = self.chance.randrange(1, 25)
+        periods[k] += by
+        periods[other] -= by
+        return f"{by} periods of span {other} in {k}", "same" if min(periods) > 0 else "refused"
 
     def radius(self, record, certificate):
         radius = certificate["radius"]
@@ -161,14 +172,17 @@ class Mutants:
         return f"gain {name} times {by}", "refused" if by < 0 or by == 0 and name == "position" else "asked"
 
     def disturbance(self, record, certificate):
-        name = self.chance.choice(["wind_spread", "gust_most", "mass_error", "gust_lag", "wind", "hover", "settle", "attitude_period_ms"])
+        name = self.chance.choice([*RANGES, *RANGES, "wind_spread", "gust_most", "gust_lag", "wind", "hover", "settle", "attitude_period_ms"])
         if name == "wind":
             certificate["wind"][self.chance.randrange(3)] += self.chance.choice([-1, 1]) * 10 ** self.chance.uniform(-6, 1)
             return "wind", "asked"
         if name == "attitude_period_ms":
             certificate[name] = self.chance.choice([0, 1, 2, 3, 5, 4.5, -4])
             return f"period {certificate[name]}", "asked"
-        certificate[name] *= self.chance.choice([factor(self.chance), factor(self.chance), -1])
+        if name in RANGES and certificate[name] == 0:
+            certificate[name] = self.chance.choice([-1, 1, 1]) * 10 ** self.chance.uniform(-9, -0.3)
+        else:
+            certificate[name] *= self.chance.choice([factor(self.chance), factor(self.chance), -1])
         return f"{name} is {certificate[name]}", "refused" if certificate[name] < 0 else "asked"
 
     def curve(self, record, certificate):

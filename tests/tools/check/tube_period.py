@@ -6,11 +6,11 @@ it is c + l . s + e for all symbols s in [-1, 1] and some e with |e| <= r. Secon
 
 import numpy as np
 
-from tube_flight import (FILTER_SHARE, FILTERED, GRAVITY, GUST, HEADING, LAG, LIFT, LIGHTNESS, RATES, SPIN, STATES, STEP, TURNED,
-                         VELOCITY, WIND)
+from tube_flight import (AGILITY, DRAG, FILTER_SHARE, FILTERED, GRAVITY, GUST, HEADING, LAG, LIFT, LIGHTNESS, QUICKNESS, RATES, SPIN, STATES,
+                         STEP, TURNED, VELOCITY, WIND)
 
 UNIT = 2.0**-53
-ROUNDING = 400 * UNIT  # of the parts of an operation, each a sum of at most 41 + 3 products, with room
+ROUNDING = 400 * UNIT  # of the parts of an operation, each a sum of at most 46 + 3 products, with room
 LIBM = 4e-15  # of sine, cosine, arcus sine
 
 
@@ -221,7 +221,7 @@ class Period:
     def start(self):
         three = lambda row: [self.symbol(row + i) for i in range(3)]
         self.lift, self.velocity, self.wind = three(LIFT), three(VELOCITY), three(WIND)
-        self.lightness = self.symbol(LIGHTNESS)
+        self.start_factors(three)
         drag = self.claim.drag_rate
         if not drag:
             self.gust = three(GUST)
@@ -235,6 +235,16 @@ class Period:
         self.body = Body(moved=none, velocity=self.velocity, lag=three(LAG), missing=self.zero(), heading=self.symbol(HEADING),
                          rates=three(RATES), spin=three(SPIN), turned=three(TURNED))
         self.filtered = three(FILTERED)
+
+    def start_factors(self, three):
+        """How the true vehicle differs from the believed one; nothing where that has no range."""
+        claim = self.claim
+        self.lightness = self.symbol(LIGHTNESS)
+        self.drag_share = self.symbol(DRAG) if claim.drag_error else None
+        self.lag = 1 / claim.motor_time_constant
+        if claim.motor_lag_error:
+            self.lag = self.lag * self.symbol(QUICKNESS)
+        self.agility = three(AGILITY) if claim.inertia_error else None
 
     def want(self):
         """The wanted frame and body rates."""
@@ -251,33 +261,41 @@ class Period:
         return Frame([-body.lag[0], -body.lag[1], self.wanted.size - body.lag[2]], sine(body.heading), cosine(body.heading))
 
     def gyroscopic(self, w):
-        """J^-1 (w x J w)"""
+        """J^-1 (w x J w) of the believed inertia"""
         inertia = self.claim.inertia
         return [(1 / inertia[i]) * t for i, t in enumerate(cross(w, scaled(inertia, w)))]
 
+    def angular_acceleration(self, w, spin):
+        """Of the true inertia, which is the believed one over the agility."""
+        if self.agility is None:
+            return minus(spin, self.gyroscopic(w))
+        inertia = self.claim.inertia
+        turn = cross(w, [inertia[i] * (w[i] * inverse(self.agility[i])) for i in range(3)])
+        return scaled(self.agility, [spin[i] - (1 / inertia[i]) * turn[i] for i in range(3)])
+
     def drag(self, frame, air):
+        """Of the true vehicle."""
         d = self.claim.drag
         out = times(d[0], air)
         for more, axis in ((d[1] - d[0], frame.y), (d[2] - d[0], frame.z)):
             if more:
                 there = self.wanted.outside(axis)
                 out = plus(out, times(more * dot(there, air), there))
-        return out
+        return out if self.drag_share is None else times(self.drag_share, out)
 
     def slope(self, body, wind):
         frame = self.frame(body)
-        lag = 1 / self.claim.motor_time_constant
         air = self.drag(frame, minus(body.velocity, wind))
         rest = minus(minus(self.lift, self.wanted.outside(body.lag)), times(1 / self.claim.mass, air))
         velocity = times(self.lightness, rest)
         velocity[2] = velocity[2] - GRAVITY
         w = body.rates
         z = [w[1] * frame.x[i] - w[0] * frame.y[i] for i in range(3)]
-        lacks = lag * body.missing
-        rates = minus(body.spin, self.gyroscopic(w))
+        lacks = self.lag * body.missing
+        rates = self.angular_acceleration(w, body.spin)
         heading = (w[2] * frame.across - dot(frame.left(z), frame.y)) * inverse(-dot(frame.ahead(frame.z), frame.y))
         return Body(moved=body.velocity, velocity=velocity, lag=[-(lacks * frame.z[i]) - frame.size * z[i] for i in range(3)],
-                    missing=-lacks, heading=heading, rates=rates, turned=rates, spin=times(lag, minus(self.asked, body.spin)))
+                    missing=-lacks, heading=heading, rates=rates, turned=rates, spin=times(self.lag, minus(self.asked, body.spin)))
 
     def attitude_error(self, frame):
         dx = [1.0 - frame.x[0], -frame.x[1], -frame.x[2]]

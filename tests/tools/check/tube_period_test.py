@@ -18,8 +18,9 @@ PERIODS = 60
 CLAIM = types.SimpleNamespace(
     mass=2.0, inertia=[0.021, 0.023, 0.04], arm=[0.17, 0.18], torque_per_thrust=0.016, motor_time_constant=0.0125, drag=[0.24, 0.2, 0.3], drag_rate=0.12,
     position=[5.0, 5.5, 6.0], velocity=[4.0, 4.2, 4.5], attitude=[150.0, 140.0, 30.0], rates=[25.0, 24.0, 10.0], lead=[0.3, 0.3, 0.2], period=4, before=20,
-    gust_most=0.4, gust_lag=0.7, gust_kept=lambda ms: math.exp(-ms * STEP / 0.7))
-SIZES = np.array([0.3] * 3 + [0.1] * 3 + [0.1] * 3 + [0.02] + [0.2, 0.2, 0.05] + [2, 2, 0.2] + [2, 2, 0.2] + [0.003] * 3 + [0.05] * 3 + [0.1] * 3 + [0.01])
+    drag_error=0.1, motor_lag_error=0.05, inertia_error=0.05, gust_most=0.4, gust_lag=0.7, gust_kept=lambda ms: math.exp(-ms * STEP / 0.7))
+SIZES = np.array([0.3] * 3 + [0.1] * 3 + [0.1] * 3 + [0.02] + [0.2, 0.2, 0.05] + [2, 2, 0.2] + [2, 2, 0.2] + [0.003] * 3 + [0.05] * 3 + [0.1] * 3 + [0.01]
+                 + [0.1] + [0.05] + [0.05] * 3)
 
 
 def quaternion(axes):
@@ -42,7 +43,7 @@ def own_state(e, reference):
     torque = [j * s for j, s in zip(CLAIM.inertia, e[SPIN:SPIN + 3])]
     x, y, z = torque[0] / (4 * CLAIM.arm[1]), torque[1] / (4 * CLAIM.arm[0]), torque[2] / (4 * CLAIM.torque_per_thrust)
     thrusts = [mean - x - y - z, mean + x + y - z, mean + x - y + z, mean - x + y + z]
-    quadrotor, controller = Quadrotor(CLAIM, CLAIM.mass / e[LIGHTNESS], list(e[WIND:WIND + 3])), Controller(CLAIM)
+    quadrotor, controller = Quadrotor(CLAIM, e[LIGHTNESS:], list(e[WIND:WIND + 3])), Controller(CLAIM)
     controller.filtered = list(e[FILTERED:FILTERED + 3])
     controller.last_rates = [e[RATES + i] - e[TURNED + i] for i in range(3)]
     return [*place, *e[VELOCITY:VELOCITY + 3], *quaternion(body), *e[RATES:RATES + 3], *thrusts], quadrotor, controller
@@ -72,7 +73,7 @@ def main():
     chance = np.random.default_rng(3)
     along = lambda a, b, shape=(0, 0, 0, 0.25, 0.75, 1, 1, 1): [a + u * (b - a) for u in shape]
     track = Track([(1.2, list(zip(along(0, 0.9), along(0, -0.6), along(5, 5.4))), along(0.3, 0.8))])
-    states, _ = fly(CLAIM, track, [1.0, -0.5, 0.2], 1.01, PERIODS)
+    states, _ = fly(CLAIM, track, [1.0, -0.5, 0.2], [1.01, 1.0, 1.002, 1.001, 1.0, 0.999], PERIODS)
     references = track.at(-CLAIM.before, PERIODS * CLAIM.period - CLAIM.before)
     scales = np.tile(SIZES, (PERIODS, 1))
     period = Period(CLAIM, states, scales, [r[::CLAIM.period] for r in references])

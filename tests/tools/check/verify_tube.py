@@ -48,7 +48,7 @@ def keys_of(value, keys, what):
 VEHICLE = ("mass", "inertia", "arm", "torque_per_thrust", "motor_time_constant", "motor_least", "motor_most", "drag")
 GAINS = ("position", "velocity", "attitude", "rates", "lead")
 CLAIM = ("type", "id", "frame", "vehicle", "gains", "attitude_period_ms", "hover", "settle", "wind", "wind_spread", "gust_most", "gust_lag",
-         "mass_error", "period", "tilt", "radius", "span", "cells")
+         "mass_error", "drag_error", "motor_lag_error", "inertia_error", "period", "tilt", "radius", "cells")
 
 
 class Claim:
@@ -71,17 +71,17 @@ class Claim:
         self.gust_most = number(c["gust_most"], "gust_most", 0, 1000)
         self.gust_lag = positive(c["gust_lag"], "gust_lag")
         require(self.gust_lag >= 0.001, "gust_lag must be at least 0.001 s")
-        self.mass_error = number(c["mass_error"], "mass_error", 0, 0.5)
+        for name in ("mass_error", "drag_error", "motor_lag_error", "inertia_error"):
+            setattr(self, name, number(c[name], name, 0, 0.5))
         require(number(c["period"], "period") == 0.1, "period must be 0.1")
         self.tilt = number(c["tilt"], "tilt", 0, math.pi)
         self.radius = [number(r, f"radius[{i}]", 0) for i, r in enumerate(entries(c["radius"], "radius"))]
-        self.span = whole_number(c["span"], "span", 1001)
-        require(self.span > 0, "span must be above 0")
 
     def read_vehicle(self, vehicle):
         for name in ("mass", "torque_per_thrust", "motor_time_constant"):
             setattr(self, name, positive(vehicle[name], name))
         self.inertia, self.arm = positives(vehicle["inertia"], 3, "inertia"), positives(vehicle["arm"], 2, "arm")
+        require(2 * max(self.inertia) <= sum(self.inertia) * (1 + 1e-9), "no body has more inertia about one axis than about the other two together")
         self.drag = numbers(vehicle["drag"], 3, "drag", least=0)
         self.motor_least, self.motor_most = (number(vehicle[name], name) for name in ("motor_least", "motor_most"))
         self.drag_rate = self.drag[0] / self.mass
@@ -146,12 +146,22 @@ class Cell:
                     yield part
 
     def nominal(self):
-        """Wind and lightness (believed over true mass) of the middle, and radii that cover the cell."""
+        """Of the middle the wind, and how the true vehicle differs from the believed one (the coordinates from LIGHTNESS on); and
+        of both the radii that cover the cell."""
+        claim = self.claim
         wind = [float(w) for w in self.wind]
         radius = [above(self.half + abs(w - F(c))) for w, c in zip(self.wind, wind)]
-        least, most = 1 / self.masses[1], 1 / self.masses[0]
-        lightness = float((least + most) / 2)
-        return wind, radius, lightness, above(max(most - F(lightness), F(lightness) - least))
+        drag = [1 - F(claim.drag_error), 1 + F(claim.drag_error)]
+        inverses = [self.masses, *([1 - F(e), 1 + F(e)] for e in (claim.motor_lag_error, *[claim.inertia_error] * 3))]
+        lightness, *others = [[1 / most, 1 / least] for least, most in inverses]
+        factors, halves = zip(*(middle(*bounds) for bounds in (lightness, drag, *others)))
+        return wind, radius, list(factors), list(halves)
+
+
+def middle(least, most):
+    """A double between the two, and a radius around it that covers both."""
+    found = float((least + most) / 2)
+    return found, above(max(most - F(found), F(found) - least))
 
 
 def above(fraction):
@@ -178,11 +188,14 @@ def require_cover(claim, cells):
 def cells_of(claim, listed):
     out = []
     for i, one in enumerate(entries(listed, "cells")):
-        keys_of(one, ("part", "bounds"), f"cells[{i}]")
+        keys_of(one, ("part", "periods", "bounds"), f"cells[{i}]")
         part = [whole_number(k, f"cells[{i}].part", 16) for k in entries(one["part"], "part")]
         require(len(part) <= 8, f"cells[{i}] is halved more than 8 times")
-        bounds = [positives(row, BOUNDED, f"cells[{i}].bounds[{k}]") for k, row in enumerate(entries(one["bounds"], "bounds"))]
         cell = Cell(claim, part)
+        cell.periods = [whole_number(k, f"cells[{i}].periods[{j}]", 1001) for j, k in enumerate(entries(one["periods"], "periods"))]
+        require(all(k > 0 for k in cell.periods), f"cells[{i}].periods must be above 0")
+        bounds = [positives(row, BOUNDED, f"cells[{i}].bounds[{k}]") for k, row in enumerate(entries(one["bounds"], "bounds"))]
+        require(len(bounds) == len(cell.periods), f"cells[{i}] has {len(bounds)} bounds for {len(cell.periods)} spans")
         cell.bounds = np.array(bounds).reshape(-1, BOUNDED)
         out.append(cell)
     require(out, "there is no cell")
@@ -198,14 +211,12 @@ class CellProof:
         steps = round((track.duration + claim.settle) / STEP)
         self.count = (claim.before + steps) // claim.period + 1
         self.track = track
-        self.wind, radius, self.lightness, lightness_half = cell.nominal()
-        spans = -(-self.count // claim.span)
-        require(len(cell.bounds) == spans, f"a cell must have bounds of {spans} spans, found {len(cell.bounds)}")
-        bounds = np.repeat(cell.bounds, claim.span, axis=0)[:self.count]
+        self.wind, radius, self.factors, halves = cell.nominal()
+        require(sum(cell.periods) == self.count, f"a cell must have bounds of {self.count} periods, found {sum(cell.periods)}")
         self.scales = np.empty((self.count, STATES))
-        self.scales[:, :BOUNDED] = np.maximum(bounds, LEAST_SCALE)
+        self.scales[:, :BOUNDED] = np.maximum(np.repeat(cell.bounds, cell.periods, axis=0), LEAST_SCALE)
         self.scales[:, WIND:WIND + 3] = np.maximum(radius, LEAST_SCALE)
-        self.scales[:, LIGHTNESS] = max(lightness_half, LEAST_SCALE)
+        self.scales[:, LIGHTNESS:] = np.maximum(halves, LEAST_SCALE)
         self.require_start()
 
     def instant(self, period):
@@ -219,7 +230,7 @@ class CellProof:
 
     def follow(self):
         claim = self.claim
-        self.states, self.places = fly(claim, self.track, self.wind, self.lightness, self.count)
+        self.states, self.places = fly(claim, self.track, self.wind, self.factors, self.count)
         self.references = self.track.at(-claim.before, (self.count + 1) * claim.period - claim.before)
         deviations = Deviations(claim, self.cell)
         for first in range(0, self.count, CHUNK):
@@ -355,7 +366,7 @@ def verify(record, certificate):
                 CellProof(claim, track, cell).follow()
     except (ArithmeticError, ValueError, np.linalg.LinAlgError) as reason:
         raise Refused(f"its numbers are out of range: {reason}") from None
-    said = {key: certificate[key] for key in CLAIM if key not in ("type", "id", "period", "span", "radius", "cells")}
+    said = {key: certificate[key] for key in CLAIM if key not in ("type", "id", "period", "radius", "cells")}
     return {"largest": max(claim.radius), **said}
 
 

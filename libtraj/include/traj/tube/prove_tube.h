@@ -50,7 +50,6 @@ struct TubeTrouble {
     tilt,
     unstable,
     steps,
-    bounds,
     velocity,
     acceleration,
     lift,
@@ -62,12 +61,11 @@ struct TubeTrouble {
   double room = 0;  // N, m/s, m/s2 or rad/s, <= 0: by as much as this
 };
 
-inline constexpr geom::Words<TubeTrouble::Kind, 10> kTubeTroubleWords{{
+inline constexpr geom::Words<TubeTrouble::Kind, 9> kTubeTroubleWords{{
     {TubeTrouble::Kind::motor, "motor"},
     {TubeTrouble::Kind::tilt, "tilt"},
     {TubeTrouble::Kind::unstable, "unstable"},
-    {TubeTrouble::Kind::steps, "steps"},    // a millisecond is too coarse for the vehicle
-    {TubeTrouble::Kind::bounds, "bounds"},  // none were found that a certificate could claim
+    {TubeTrouble::Kind::steps, "steps"},  // a millisecond is too coarse for the vehicle
     {TubeTrouble::Kind::velocity, "velocity"},
     {TubeTrouble::Kind::acceleration, "acceleration"},
     {TubeTrouble::Kind::lift, "lift"},
@@ -75,21 +73,22 @@ inline constexpr geom::Words<TubeTrouble::Kind, 10> kTubeTroubleWords{{
     {TubeTrouble::Kind::rates, "rates"},
 }};
 
-// Periods of the attitude loop, from the start of the hovering on, that share their bounds.
-inline constexpr int kSpanPeriods = 25;
-
-// Bounds on how far the state is from the nominal flight of a cell, in the order of docs/tube.md:
-// lift, velocity, lag, heading, rates, spin, filtered, turned, and the acceleration that lift and
-// drag give together (without drag: the gust).
+// Periods of the attitude loop, one after the other, and bounds on how far the state is from the
+// nominal flight of a cell in them, in the order of docs/tube.md: lift, velocity, lag, heading,
+// rates, spin, filtered, turned, and the acceleration that lift and drag give together (without
+// drag: the gust).
 inline constexpr int kSpanBounds = 25;
-using SpanBounds = std::array<double, kSpanBounds>;
+struct SpanBounds {
+  int periods = 0;
+  std::array<double, kSpanBounds> bounds{};
+};
 
 // A part of the winds and masses, and the bounds that its proof used.
 struct ProvedCell {
   // Empty: all. Each number says which part of the one before: bits 0 to 2 are set for the upper
   // half of the winds east, north and up, bit 3 for that of the masses.
   std::vector<int> part;
-  std::vector<SpanBounds> bounds;  // in each span of kSpanPeriods
+  std::vector<SpanBounds> spans;  // from the start of the hovering on; for a certificate
 };
 
 struct ProvedTube {

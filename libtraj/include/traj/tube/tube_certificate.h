@@ -32,8 +32,7 @@ struct TubeConditions {
 };
 
 // One JSON object, "type":"tube_certificate", with a newline: docs/formats.md. `axes`: those of the
-// trajectory's record. Preconditions: the tube has a proof, by spans, and of the vehicle the mass
-// alone has a range.
+// trajectory's record. Precondition: the tube has a proof, by spans.
 std::string tube_certificate_line(const std::string& id, geom::Axes axes,
                                   const TubeConditions& proved_for, const ProvedTube& tube);
 

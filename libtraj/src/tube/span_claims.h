@@ -1,0 +1,57 @@
+#pragma once
+
+// Bounds that a certificate claims, chosen while a proof goes on.
+
+#include <vector>
+
+#include "traj/tube/prove_tube.h"
+
+namespace traj {
+
+// The spans of a flight, one after the other. A span is tried with bounds that are taken to hold:
+// first those of its first period, and as much more as the span before has grown; then larger ones
+// of the coordinates that failed; then for fewer periods. Bounds of a single period hold at once.
+//
+//   SpanClaims claims;
+//   do {
+//     // From the span's start, claims.periods() times: a period in which deviations are at most
+//     // claims.taken_for(found).
+//   } while (!claims.settle());
+class SpanClaims {
+ public:
+  using Bounds = std::array<double, kSpanBounds>;
+
+  // Periods that the span in progress should have.
+  int periods() const { return periods_; }
+
+  // The bounds that are taken to hold in a period of the span, in which deviations are at most
+  // `found`.
+  const Bounds& taken_for(const Bounds& found);
+
+  // After the last period of the span (the flight's end may come first): whether there is room
+  // between what was found and what was taken. Then a new span begins, else the same one does.
+  bool settle();
+
+  // The span in progress once more, for fewer periods; false: it has a single one.
+  bool shorten();
+
+  const std::vector<SpanBounds>& spans() const { return spans_; }
+
+ private:
+  void propose(const Bounds& found);
+  bool has_room(std::size_t i) const;
+  bool raise();  // where there is no room; false: there is everywhere
+  int next_periods() const;
+
+  std::vector<SpanBounds> spans_;
+  int periods_ = 1;
+  int met_ = 0;    // periods of this span
+  int tries_ = 0;  // of this span
+  Bounds taken_{};
+  Bounds first_{};   // what was found in the span's first period,
+  Bounds least_{};   // the least,
+  Bounds most_{};    // and the most
+  Bounds growth_{};  // of a period, in the span before
+};
+
+}  // namespace traj
