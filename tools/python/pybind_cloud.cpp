@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "cli/answer/exit.h"
 #include "cli/option/units.h"
-#include "cli/run.h"
 #include "geom/cloud/draft_cloud.h"
 #include "geom/cloud/las_class.h"
 #include "pybind_draft.h"

@@ -10,9 +10,9 @@
 #include <string>
 #include <string_view>
 
-#include "cli/option/vehicle_option.h"
 #include "geom/base/execution.h"
 #include "geom/collision/collision.h"
+#include "geom/record/agreed_room.h"
 #include "geom/record/record.h"
 #include "traj/proof/limits.h"
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "cli/option/vehicle_word.h"
 #include "geom/base/parallel.h"
 #include "pybind_arrays.h"
 #include "pybind_module.h"

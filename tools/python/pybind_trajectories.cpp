@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "cli/option/solver_words.h"
-#include "cli/run.h"
 #include "geom/base/error.h"
 #include "geom/record/agreed_room.h"
 #include "geom/record/start_on_map.h"
