@@ -114,6 +114,7 @@ left=$(find . -name '*.part')
 [ -z "$left" ] || { echo "left half-written: $left" >&2; exit 1; }
 for shard in shards/*; do skyway-info --verify "$shard" >/dev/null; done
 if [ -z "${NODES:-}" ]; then
-  [ "$(grep -l "restart [1-9]" log/*.log | wc -l)" -ge 2 ] || { echo "no job was started again" >&2; exit 1; }
+  # Both may have been the same job.
+  [ "$(cat log/*.log | grep -c "restart [1-9]")" -ge 2 ] || { echo "a job was not started again" >&2; exit 1; }
 fi
 echo "same bytes"
