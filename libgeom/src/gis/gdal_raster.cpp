@@ -190,7 +190,7 @@ class SurfaceReader {
     if (known < all) out_.counts["cells_without_data"] = all - known;
   }
 
-  // As if the rows to come were like those before, which are an eighth, and a little more.
+  // An eighth of the rows is read. The others may have as much each, and a little more.
   void reserve() {
     out_.footprints.reserve(9 * out_.footprints.size());
     if (out_.grid) out_.grid->of.reserve(9 * out_.grid->of.size());

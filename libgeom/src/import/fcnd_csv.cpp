@@ -128,7 +128,7 @@ void require_no_names(const TextLines& lines) {
 
 using Numbers = std::array<double, 6>;  // centre and half sizes
 
-// Passes the rest of a line that has nothing more, and its line feed; null where it has.
+// Returns what is behind the line feed. Null if there is more than blanks before it.
 const char* line_end(const char* at, const char* end) {
   while (at != end && (*at == ' ' || *at == '\t' || *at == '\r')) ++at;
   if (at == end) return at;

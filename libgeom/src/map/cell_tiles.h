@@ -24,6 +24,7 @@ class CellTiles {
     std::unique_ptr<T[]> cells;  // row by row
   };
 
+  // The reference stays good while other cells are touched.
   T& at(std::int32_t x, std::int32_t y) {
     const std::int32_t tx = tile_of(x);
     const std::int32_t ty = tile_of(y);

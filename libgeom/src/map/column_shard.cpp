@@ -9,8 +9,8 @@ bool holds(const HeightSpan& known, const HeightSpan& span) {
   return static_cast<int>(known.low <= span.low) & static_cast<int>(span.high <= known.high);
 }
 
-// Whether a span adds nothing to what stands in place, as nearly all do. Spans only grow: what a
-// column once held in place, its list holds, too.
+// Whether one of the spans in place holds this span already. Nearly always one does. A column with
+// a list may have old spans in place. Its list holds these, too, because spans only grow.
 bool is_known(const ColumnShard::Column& column, const HeightSpan& span) {
   return static_cast<int>(holds(column.few[0], span)) |
          static_cast<int>(holds(column.few[1], span));

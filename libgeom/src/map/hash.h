@@ -14,13 +14,16 @@ namespace geom {
 // Sums up a map whose boxes come in their order.
 class MapHash {
  public:
-  // Of a map with so many boxes that are not always there; these need an epoch.
+  // `timed`: how many boxes of the map are there for a time only. A map with such boxes has an
+  // epoch.
   MapHash(const BoxMapSpec& spec, std::size_t timed);
 
-  // The next boxes by min, then max; -0 is no coordinate (canonical()).
+  // Adds the next boxes. All boxes come in the order of min, then max, and none has a coordinate of
+  // -0 (canonical()).
   void add(std::span<const Aabb> boxes) { sum_.update(std::as_bytes(boxes)); }
 
-  // Once all boxes are added: `boxes` in any order, and which of them are timed.
+  // The hash, when all boxes were added. `boxes` may be in any order; `timed` says which of them
+  // are there for a time only.
   std::string text(std::span<const Aabb> boxes, const TimedBoxes& timed);
 
  private:

@@ -196,7 +196,8 @@ class TileSorter {
     }
   }
 
-  // The boxes of columns from a piece on, about a stretch of them; the piece becomes the one after.
+  // The boxes of whole columns, from `piece` on, until there are about kStretch. `piece` becomes
+  // the first one behind them.
   std::span<Keyed<Number>> next_columns(std::size_t& piece) {
     const std::size_t first = pieces_[piece].first;
     std::size_t count = 0;
@@ -216,7 +217,7 @@ class TileSorter {
     return a < b;
   }
 
-  // Boxes that are needed soon, from wherever they stand in the table.
+  // Asks for a box that is needed soon. It may stand anywhere in the table.
   void fetch(std::size_t box) const {
     __builtin_prefetch(&table_.boxes[box]);
     __builtin_prefetch(&table_.ids[box]);

@@ -46,7 +46,7 @@ inline std::uint64_t digits_before(const char* end, std::size_t count) {
 
 // Reads N numbers as read_short() does, with commas between them and a line feed behind them, from
 // `at` on, a place in `text`. Returns where the next line begins. Null where the line may be
-// anything else: it has blanks, is longer than 64 characters, has numbers of more than 8 digits
+// anything else: it has blanks, is longer than 65 characters, has numbers of more than 8 digits
 // before the point or 7 behind it, or stands near the beginning or end of the text.
 template <std::size_t N>
 const char* read_short_row(const char* at, std::string_view text, std::array<double, N>& numbers) {
@@ -74,9 +74,10 @@ const char* read_short_row(const char* at, std::string_view text, std::array<dou
       if (behind - 1 >= 7) return nullptr;
       whole = whole * kTens[behind] + digits_before(end, behind);
     }
+    if (end - at >= 64) return nullptr;
     const bool last = i + 1 == N;
-    if (last && *end == '\r') ++end;
-    if (*end != (last ? '\n' : ',') || end - at >= 64) return nullptr;
+    if (last && *end == '\r') ++end;  // 65 characters are there
+    if (*end != (last ? '\n' : ',')) return nullptr;
     const double size = static_cast<double>(whole) / static_cast<double>(kTens[behind]);
     numbers[i] = negative ? -size : size;
     field = end + 1;

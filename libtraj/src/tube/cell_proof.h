@@ -94,7 +94,7 @@ class CellProof {
     return d.start_error > 0 || d.start_speed > 0;
   }
 
-  // Place and velocity stand for themselves in the columns of lift and velocity.
+  // The columns of lift and velocity stand for the errors of place and velocity here.
   static Off<Model> start_off(const Disturbances& d) {
     const auto symbols = [](int row, double size) {
       return Triple<Model>{Model::symbol(0, row, size), Model::symbol(0, row + 1, size),

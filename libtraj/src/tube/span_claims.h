@@ -8,9 +8,10 @@
 
 namespace traj {
 
-// The spans of a flight, one after the other. A span is tried with bounds that are taken to hold:
-// first those of its first period, and as much more as the span before has grown; then larger ones
-// of the coordinates that failed; then for fewer periods. Bounds of a single period hold at once.
+// The spans of a flight, one after the other. Bounds are guessed for a span, and its periods show
+// whether they hold. The first guess is the deviation in the span's first period, larger by as much
+// as deviations grew in the span before. If it fails, the coordinates that failed get larger
+// bounds; if that fails too, the span gets fewer periods. Bounds of a single period hold at once.
 //
 //   SpanClaims claims;
 //   do {

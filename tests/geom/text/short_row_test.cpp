@@ -1,6 +1,8 @@
 #include "text/short_row.h"
 
 #include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <bit>
 #include <random>
@@ -72,6 +74,48 @@ TEST(ShortRow, NeedsRoomBeforeAndBehind) {
   EXPECT_EQ(read_short_row(text.data() + 7, text, numbers), nullptr);
   const std::string_view shorter(text.data(), text.size() - 1);
   EXPECT_EQ(read_short_row(text.data() + 8, shorter, numbers), nullptr);
+}
+
+// A text that ends where nothing may be read.
+class TextBeforeNothing {
+ public:
+  explicit TextBeforeNothing(std::string_view text)
+      : page_(static_cast<std::size_t>(sysconf(_SC_PAGESIZE))),
+        pages_(static_cast<char*>(
+            mmap(nullptr, 2 * page_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0))),
+        size_(text.size()) {
+    text.copy(pages_ + page_ - size_, size_);
+    mprotect(pages_ + page_, page_, PROT_NONE);
+  }
+  ~TextBeforeNothing() { munmap(pages_, 2 * page_); }
+  TextBeforeNothing(const TextBeforeNothing&) = delete;
+  TextBeforeNothing& operator=(const TextBeforeNothing&) = delete;
+
+  std::string_view text() const { return {pages_ + page_ - size_, size_}; }
+
+ private:
+  std::size_t page_;
+  char* pages_;
+  std::size_t size_;
+};
+
+TEST(ShortRow, ReadsNothingBehindTheText) {
+  const std::string digits = "1234567.12345";
+  int read = 0;
+  for (const std::string_view tail : {"\r", "\r\n", "\n", ".", "-", ",", "5", ""}) {
+    for (std::size_t size = 40; size < 70; ++size) {
+      std::string line;
+      for (int k = 0; k < 5; ++k) line += digits.substr(0, size / 6) + ",";
+      line += "1." + std::string(size, '3');
+      line = line.substr(0, size);
+      const TextBeforeNothing held("12345678\n" + line + std::string(tail));
+      Numbers numbers{};
+      const char* const end = read_short_row(held.text().data() + 9, held.text(), numbers);
+      if (end) EXPECT_EQ(end, held.text().data() + held.text().size());
+      read += end != nullptr;
+    }
+  }
+  EXPECT_EQ(read, 1);  // 63 characters and \r\n
 }
 
 }  // namespace

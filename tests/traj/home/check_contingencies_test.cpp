@@ -12,14 +12,9 @@ namespace {
 using testing::path_of;
 using testing::small_vehicle;
 using testing::task_of;
-using testing::town;
 
 // A flight past a block whose ways home go over it, and what skyway-plan writes of it.
-struct Case {
-  geom::CollisionScene scene = small_vehicle(town({{{40, 0, 0}, {45, 70, 30}}}));
-  std::vector<FlightStage> stages =
-      stages_of(path_of({{10, 50, 10}, {25, 50, 10}, {25, 80, 10}, {80, 80, 10}}), 5);
-  WaysTask task = task_of(scene, {{90, 50}, {10, 20}});
+struct Case : testing::FlightPastABlock {
   ContingencyRules rules{.models = task.models};
 
   Case() {

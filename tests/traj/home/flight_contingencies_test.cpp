@@ -11,18 +11,9 @@
 namespace traj {
 namespace {
 
-using testing::path_of;
-using testing::small_vehicle;
-using testing::task_of;
-using testing::town;
-
 // A flight past a block, and the stream of its ways home.
-struct Case {
-  geom::CollisionScene scene = small_vehicle(town({{{40, 0, 0}, {45, 70, 30}}}));
-  HomeFlight flight{
-      .id = "q1",
-      .stages = stages_of(path_of({{10, 50, 10}, {25, 50, 10}, {25, 80, 10}, {80, 80, 10}}), 5)};
-  WaysTask task = task_of(scene, {{90, 50}, {10, 20}});
+struct Case : testing::FlightPastABlock {
+  HomeFlight flight{.id = "q1", .stages = stages};
   std::string lines;
 
   Case() {

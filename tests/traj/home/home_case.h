@@ -6,6 +6,7 @@
 
 #include "geom/record/record.h"
 #include "support/random_city.h"
+#include "traj/home/home_flight.h"
 #include "traj/home/landing_site.h"
 #include "traj/home/return_model.h"
 #include "traj/home/ways_home.h"
@@ -63,5 +64,13 @@ inline geom::PathRecord path_of(geom::Polyline points) {
   record.points = std::move(points);
   return record;
 }
+
+// A flight past a block; the ways home go over the block.
+struct FlightPastABlock {
+  geom::CollisionScene scene = small_vehicle(town({{{40, 0, 0}, {45, 70, 30}}}));
+  std::vector<FlightStage> stages =
+      stages_of(path_of({{10, 50, 10}, {25, 50, 10}, {25, 80, 10}, {80, 80, 10}}), 5);
+  WaysTask task = task_of(scene, {{90, 50}, {10, 20}});
+};
 
 }  // namespace traj::testing

@@ -39,7 +39,8 @@ struct NumberGrid {
 // The cells of a grid along the axes of a map, without bands.
 NumberGrid number_grid(const CellGrid2& grid, geom::Axes axes);
 
-// The values of its cells, in the order of a NumberBand. One for each cell (precondition).
+// Puts the values of a grid's cells into the order of a NumberBand. Precondition: each cell has
+// one.
 std::vector<double> from_north(const CellGrid2& grid, geom::Axes axes,
                                std::span<const double> values);
 
