@@ -37,55 +37,86 @@ struct DisturbedFlight {
   bool saturated = false;
 };
 
+// What the controller follows at each step, from the start of the hovering on. Many flights of one
+// trajectory share it.
+struct References {
+  References(const ReferenceTrack& track, const FlightOptions& options)
+      : before(std::lround(options.hover / kStep)),
+        steps(std::lround((track.duration() + options.settle) / kStep)) {
+    std::size_t cursor = 0;
+    first = track.at(-1, cursor);
+    for (long n = -before; n <= steps; ++n) {
+      at.push_back(track.at(static_cast<double>(n) * kStep, cursor));
+    }
+  }
+
+  long before, steps;  // of 1 ms, before and after the trajectory's start
+  Reference first;
+  std::vector<Reference> at;
+};
+
 // The loop of traj::simulate() with gusts of our own: gust_lag g' = n - g, n held for a
-// millisecond.
-template <class Controller>
-DisturbedFlight fly_under(const ReferenceTrack& track, const FlightOptions& options,
-                          const Disturbances& d, const Fate& fate) {
-  FlightOptions with = options;
-  with.mass_error = fate.mass_error;
-  with.drag_error = fate.drag_error;
-  with.motor_lag_error = fate.motor_lag_error;
-  with.inertia_error = fate.inertia_error;
-  const Quadrotor vehicle = true_vehicle(with);
-  const long before = std::lround(options.hover / kStep);
-  const long steps = std::lround((track.duration() + options.settle) / kStep);
-  std::size_t cursor = 0;
+// millisecond. Calls `see` with the state and the reference of each step from the trajectory's
+// start on. Returns whether a motor saturated.
+template <class Controller, class See>
+bool fly_seen(const References& references, const FlightOptions& options, const Quadrotor& vehicle,
+              const Disturbances& d, const Fate& fate, See&& see) {
   QuadrotorState state;
-  const Reference first = track.at(-1, cursor);
-  state.position = first.position + fate.place;
+  state.position = references.first.position + fate.place;
   state.velocity = fate.velocity;
-  state.attitude = Eigen::AngleAxisd(first.yaw, Vec3::UnitZ());
+  state.attitude = Eigen::AngleAxisd(references.first.yaw, Vec3::UnitZ());
   state.thrust = Motors::Constant(vehicle.mass * 9.80665 / 4);
   Controller controller(options.quadrotor, options.gains, options.periods);
   Vec3 gust = Vec3::Zero();
   const double kept = std::exp(-kStep / d.gust_lag);
-  DisturbedFlight out;
-  for (long n = -before; n <= steps; ++n) {
-    const Reference reference = track.at(static_cast<double>(n) * kStep, cursor);
-    if (n >= 0) {
-      out.place.push_back(state.position - reference.position);
-      out.error.push_back(out.place.back().norm());
-      out.velocity.push_back(state.velocity);
-      out.rates.push_back(state.body_rates);
-      out.spin.push_back(torque_of(vehicle, state.thrust).cwiseQuotient(options.quadrotor.inertia));
-      const double upright = (state.attitude * Vec3::UnitZ()).z();
-      out.tilt = std::max(out.tilt, std::acos(std::min(upright, 1.0)));
-    }
+  bool saturated = false;
+  for (long n = -references.before; n <= references.steps; ++n) {
+    const Reference& reference = references.at[static_cast<std::size_t>(n + references.before)];
+    if (n >= 0) see(state, reference);
     const Measured seen{state.position, state.velocity, state.attitude, state.body_rates};
-    const QuadrotorInput input{controller.command(n + before, reference, seen), fate.wind + gust};
-    out.saturated |= controller.take_saturated();
+    const QuadrotorInput input{controller.command(n + references.before, reference, seen),
+                               fate.wind + gust};
+    saturated |= controller.take_saturated();
     state = integrate(vehicle, state, input, kStep);
-    if (fate.towards) gust = kept * gust + (1 - kept) * fate.towards(n + before);
+    if (fate.towards) gust = kept * gust + (1 - kept) * fate.towards(n + references.before);
   }
-  return out;
+  return saturated;
+}
+
+inline Quadrotor vehicle_of(FlightOptions options, const Fate& fate) {
+  options.mass_error = fate.mass_error;
+  options.drag_error = fate.drag_error;
+  options.motor_lag_error = fate.motor_lag_error;
+  options.inertia_error = fate.inertia_error;
+  return true_vehicle(options);
+}
+
+template <class See>
+bool fly_seen(const References& references, const FlightOptions& options, const Disturbances& d,
+              const Fate& fate, See&& see) {
+  const Quadrotor vehicle = vehicle_of(options, fate);
+  return options.law == ControlLaw::cascade
+             ? fly_seen<CascadeController>(references, options, vehicle, d, fate, see)
+             : fly_seen<GeometricController>(references, options, vehicle, d, fate, see);
 }
 
 inline DisturbedFlight fly(const ReferenceTrack& track, const FlightOptions& options,
                            const Disturbances& d, const Fate& fate) {
-  return options.law == ControlLaw::cascade
-             ? fly_under<CascadeController>(track, options, d, fate)
-             : fly_under<GeometricController>(track, options, d, fate);
+  const Quadrotor vehicle = vehicle_of(options, fate);
+  DisturbedFlight out;
+  out.saturated =
+      fly_seen(References(track, options), options, d, fate,
+               [&](const QuadrotorState& state, const Reference& reference) {
+                 out.place.push_back(state.position - reference.position);
+                 out.error.push_back(out.place.back().norm());
+                 out.velocity.push_back(state.velocity);
+                 out.rates.push_back(state.body_rates);
+                 out.spin.push_back(
+                     torque_of(vehicle, state.thrust).cwiseQuotient(options.quadrotor.inertia));
+                 const double upright = (state.attitude * Vec3::UnitZ()).z();
+                 out.tilt = std::max(out.tilt, std::acos(std::min(upright, 1.0)));
+               });
+  return out;
 }
 
 inline Vec3 direction(support::Random& random) {
@@ -96,76 +127,101 @@ inline Vec3 direction(support::Random& random) {
   return v.normalized();
 }
 
-// How far along `push` the vehicle is, so many ms after a gust of 1 m/s along it ran up for one
-// step.
-inline std::vector<double> response(const FlightOptions& options, double gust_lag, const Vec3& push,
-                                    double seconds) {
-  FlightOptions hovering = options;
-  hovering.hover = 0;
-  hovering.settle = 0;
-  State there;
-  const ReferenceTrack track({{hermite(there, there, seconds)}});
-  const Disturbances d{.gust_lag = gust_lag};
-  const Fate pulse{.towards = [&](long n) { return n == 0 ? Vec3(push) : Vec3::Zero(); }};
-  std::vector<double> out;
-  for (const Vec3& place : fly(track, hovering, d, pulse).place) out.push_back(push.dot(place));
-  return out;
-}
+// Draws flights that are allowed: winds and masses at the edge or anywhere, and gusts by chance
+// (0), that jump from one end to the other (1), or that fit the response in hover, so that they
+// push as far as they can along some direction at some instant (2).
+class Fates {
+ public:
+  // `duration` of the trajectory, s.
+  Fates(const FlightOptions& options, const Disturbances& d, double duration)
+      : options_(options),
+        d_(d),
+        steps_(std::lround((options.hover + duration + options.settle) / kStep)) {}
 
-// A flight that is allowed: winds and masses at the edge or anywhere, and gusts by chance (0), that
-// jump from one end to the other (1), or that fit the response in hover, so that they push as far
-// as they can along some direction at some instant (2).
-inline Fate drawn_fate(support::Random& random, const FlightOptions& options, const Disturbances& d,
-                       double duration, int kind) {
-  const bool edge = random.uniform(0, 1) < 0.7;
-  const Vec3 push = direction(random);
-  Fate fate;
-  const double share = edge ? 1 : random.uniform(0, 1);
-  fate.wind =
-      d.wind + d.wind_spread * share * (random.uniform(0, 1) < 0.5 ? push : direction(random));
-  const auto off = [&](double most) {
-    return most * (edge ? (random.uniform(0, 1) < 0.5 ? -1 : 1) : random.uniform(-1, 1));
-  };
-  fate.mass_error = off(d.mass_error);
-  fate.drag_error = off(d.drag_error);
-  fate.motor_lag_error = off(d.motor_lag_error);
-  for (double& axis : fate.inertia_error) axis = off(d.inertia_error);
-  fate.place = off(d.start_error) * push;
-  fate.velocity = off(d.start_speed) * (random.uniform(0, 1) < 0.5 ? push : direction(random));
-  const long all = std::lround((options.hover + duration + options.settle) / kStep);
-  std::vector<Vec3> towards(static_cast<std::size_t>(all + 1), Vec3::Zero());
-  if (kind == 2) {
-    const long seconds = options.law == ControlLaw::cascade ? 12 : 4;
-    const std::vector<double> kernel =
-        response(options, d.gust_lag, push, static_cast<double>(seconds));
-    const auto last =
-        static_cast<long>(random.uniform(options.hover / kStep, static_cast<double>(all)));
-    for (long n = 0; n < last; ++n) {
-      const auto age = static_cast<std::size_t>(std::min<long>(last - n, 1000 * seconds - 1));
-      towards[static_cast<std::size_t>(n)] = (kernel[age] < 0 ? -1 : 1) * d.gust_most * push;
-    }
-  } else {
-    Vec3 now = d.gust_most * push;
+  Fate drawn(support::Random& random, int kind) {
+    const bool edge = random.uniform(0, 1) < 0.7;
+    const Vec3 push = direction(random);
+    Fate fate;
+    const double share = edge ? 1 : random.uniform(0, 1);
+    fate.wind =
+        d_.wind + d_.wind_spread * share * (random.uniform(0, 1) < 0.5 ? push : direction(random));
+    const auto off = [&](double most) {
+      return most * (edge ? (random.uniform(0, 1) < 0.5 ? -1 : 1) : random.uniform(-1, 1));
+    };
+    fate.mass_error = off(d_.mass_error);
+    fate.drag_error = off(d_.drag_error);
+    fate.motor_lag_error = off(d_.motor_lag_error);
+    for (double& axis : fate.inertia_error) axis = off(d_.inertia_error);
+    fate.place = off(d_.start_error) * push;
+    fate.velocity = off(d_.start_speed) * (random.uniform(0, 1) < 0.5 ? push : direction(random));
+    fate.towards = [towards = kind == 2 ? fitted(random, push) : jumping(random, push, kind)](
+                       long n) { return towards[static_cast<std::size_t>(n)]; };
+    return fate;
+  }
+
+ private:
+  std::vector<Vec3> jumping(support::Random& random, const Vec3& push, int kind) const {
+    std::vector<Vec3> out(static_cast<std::size_t>(steps_ + 1));
+    Vec3 now = d_.gust_most * push;
     const double hold = std::exp(random.uniform(std::log(0.003), std::log(2)));
-    for (Vec3& n : towards) {
+    for (Vec3& n : out) {
       if (random.uniform(0, 1) < kStep / hold) {
-        now = kind == 1 ? Vec3(-now) : Vec3(d.gust_most * random.uniform(0, 1) * direction(random));
+        now =
+            kind == 1 ? Vec3(-now) : Vec3(d_.gust_most * random.uniform(0, 1) * direction(random));
       }
       n = now;
     }
+    return out;
   }
-  fate.towards = [towards = std::move(towards)](long n) {
-    return towards[static_cast<std::size_t>(n)];
-  };
-  return fate;
+
+  std::vector<Vec3> fitted(support::Random& random, const Vec3& push) {
+    if (response_.empty()) respond();
+    std::vector<Vec3> out(static_cast<std::size_t>(steps_ + 1), Vec3::Zero());
+    const auto last =
+        static_cast<long>(random.uniform(options_.hover / kStep, static_cast<double>(steps_)));
+    for (long n = 0; n < last; ++n) {
+      const auto age = std::min(static_cast<std::size_t>(last - n), response_.size() - 1);
+      const double along = response_[age].dot(push.cwiseAbs2());
+      out[static_cast<std::size_t>(n)] = (along < 0 ? -1 : 1) * d_.gust_most * push;
+    }
+    return out;
+  }
+
+  // How far along each axis a hovering vehicle is, so many ms after a gust of 1 m/s along that axis
+  // ran up for one step.
+  void respond() {
+    FlightOptions hovering = options_;
+    hovering.hover = 0;
+    hovering.settle = 0;
+    const double seconds = options_.law == ControlLaw::cascade ? 12 : 4;
+    const References references(ReferenceTrack({{hermite({}, {}, seconds)}}), hovering);
+    response_.assign(references.at.size(), Vec3::Zero());
+    for (int axis = 0; axis < 3; ++axis) {
+      const Fate pulse{
+          .towards = [&](long n) -> Vec3 { return Vec3::Unit(axis) * (n == 0 ? 1 : 0); }};
+      std::size_t n = 0;
+      fly_seen(references, hovering, {.gust_lag = d_.gust_lag}, pulse,
+               [&](const QuadrotorState& state, const Reference& reference) {
+                 response_[n++][axis] = (state.position - reference.position)[axis];
+               });
+    }
+  }
+
+  FlightOptions options_;
+  Disturbances d_;
+  long steps_;
+  std::vector<Vec3> response_;
+};
+
+// An error over the tube's radius of that step from the trajectory's start on.
+inline double share_of(const ProvedTube& tube, std::size_t step, double error) {
+  return error / tube.radius[std::min(step / 100, tube.radius.size() - 1)];
 }
 
-// The largest error over the tube's radius of that instant.
 inline double worst_share(const ProvedTube& tube, const DisturbedFlight& flight) {
   double worst = 0;
   for (std::size_t n = 0; n < flight.error.size(); ++n) {
-    const std::size_t k = std::min(n / 100, tube.radius.size() - 1);
-    worst = std::max(worst, flight.error[n] / tube.radius[k]);
+    worst = std::max(worst, share_of(tube, n, flight.error[n]));
   }
   return worst;
 }

@@ -23,9 +23,10 @@ void expect_inside(std::string_view vehicle, const Trajectory& trajectory, const
   const ProvedTube tube = prove_tube(track, options, d, {});
   ASSERT_FALSE(tube.trouble) << vehicle;
   support::Random random(3);
+  testing::Fates fates(options, d, track.duration());
   double worst = 0;
   for (int k = 0; k < 24; ++k) {
-    const auto fate = testing::drawn_fate(random, options, d, track.duration(), k % 3);
+    const auto fate = fates.drawn(random, k % 3);
     const auto flight = testing::fly(track, options, d, fate);
     EXPECT_FALSE(flight.saturated);
     EXPECT_LE(flight.tilt, tube.tilt);
@@ -188,8 +189,9 @@ void expect_clip(TubeTrouble::Kind kind, const std::function<void(FlightOptions&
       continue;
     }
     ++proved;
+    testing::Fates fates(options, d, track.duration());
     for (int k = 0; k < 6; ++k) {
-      const auto fate = testing::drawn_fate(random, options, d, track.duration(), k % 3);
+      const auto fate = fates.drawn(random, k % 3);
       EXPECT_FALSE(testing::fly(track, options, d, fate).saturated) << value;
     }
   }
@@ -339,9 +341,10 @@ TEST(ProveTube, ProvesCellsOneByOneAndTheSameOnAnyThreads) {
   EXPECT_GT(one.cells, 1u);
   EXPECT_EQ(one.radius, three.radius);
   support::Random random(6);
+  testing::Fates fates(options, d, track.duration());
   double worst = 0;
   for (int k = 0; k < 30; ++k) {
-    const auto fate = testing::drawn_fate(random, options, d, track.duration(), k % 3);
+    const auto fate = fates.drawn(random, k % 3);
     worst = std::max(worst, testing::worst_share(one, testing::fly(track, options, d, fate)));
   }
   EXPECT_LE(worst, 1);
