@@ -36,13 +36,15 @@ ColumnFiller::ColumnFiller(const CloudDraftOptions& options, const Shard& shard,
 
 void ColumnFiller::reserve() {
   next_.places.reserve(kBatch + kBlock);
-  next_.classes.reserve(kBatch + kBlock);
+  if (ground_) next_.classes.reserve(kBatch + kBlock);
 }
 
 void ColumnFiller::add(std::span<const CloudPoint> points) {
-  for (const CloudPoint& p : points) {
-    next_.places.push_back(p.position);
-    next_.classes.push_back(p.cls);
+  std::size_t n = next_.places.size();
+  next_.places.resize(n + points.size());
+  for (const CloudPoint& p : points) next_.places[n++] = p.position;
+  if (ground_) {
+    for (const CloudPoint& p : points) next_.classes.push_back(p.cls);
   }
   if (next_.places.size() >= kBatch) hand_over();
 }

@@ -17,31 +17,45 @@ namespace geom {
                  .found = fmt::to_string(v)});
 }
 
-// Near enough that the index of a cell or step beside it fits 31 bits, too.
-inline double checked_index(double v, double size) {
-  const double k = v / size;
-  if (std::abs(k) < 0x1p31 - 2) return k;
-  refuse_index(v, size);
-}
-
 inline void require_size(const char* what, double size) {
   if (size > 0 && std::isfinite(size)) return;
   throw InputError(what, {.expected = "metres > 0", .found = fmt::to_string(size)});
 }
 
-// The k with k * size <= v < (k + 1) * size as doubles multiply: division may be one off.
-inline std::int32_t floor_index(double v, double size) {
-  auto k = static_cast<std::int32_t>(checked_index(v, size));  // towards 0
-  while (k * size > v) --k;
-  while ((k + 1) * size <= v) ++k;
-  return k;
-}
+// The cells or steps of one size (> 0, finite): number k holds from k * size to below (k + 1) *
+// size, as doubles multiply. An index is found from a product, which may be off by one, and then
+// set right.
+class CellIndex {
+ public:
+  explicit CellIndex(double size) : size_(size), inverse_(1 / size) {}
 
-inline std::int32_t ceil_index(double v, double size) {
-  auto k = static_cast<std::int32_t>(checked_index(v, size));
-  while (k * size < v) ++k;
-  while ((k - 1) * size >= v) --k;
-  return k;
-}
+  // The k that holds v.
+  std::int32_t floor(double v) const {
+    std::int32_t k = guess(v);
+    while (k * size_ > v) --k;
+    while ((k + 1) * size_ <= v) ++k;
+    return k;
+  }
+
+  // The least k with v <= k * size.
+  std::int32_t ceil(double v) const {
+    std::int32_t k = guess(v);
+    while (k * size_ < v) ++k;
+    while ((k - 1) * size_ >= v) --k;
+    return k;
+  }
+
+ private:
+  // Near enough that the index of a cell or step beside it fits 31 bits, too.
+  std::int32_t guess(double v) const {
+    const double at = v * inverse_;
+    if (!(std::abs(at) < 0x1p31 - 2)) refuse_index(v, size_);
+    const auto towards_0 = static_cast<std::int32_t>(at);
+    return towards_0 - static_cast<std::int32_t>(at < towards_0);
+  }
+
+  double size_;
+  double inverse_;
+};
 
 }  // namespace geom

@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::size_t kShards = 1024;
 constexpr std::size_t kBlock = std::size_t{1} << 15;  // points that a thread takes at once
+constexpr std::size_t kAhead = 64;  // points: a processor is asked so early for what lies in memory
 
 // The shard of a cell: by areas of 32 cells, so that points which are near to each other mostly
 // meet in one, and by a hash of these, so that all shards get about the same number.
@@ -29,16 +30,26 @@ std::size_t shard_of(std::int32_t x, std::int32_t y) {
 }
 static_assert(kShards == std::size_t{1} << (64 - 54));
 
+struct Indices {
+  explicit Indices(const ColumnSpec& spec) : cell(spec.cell), step(spec.step) {}
+
+  CellIndex cell;
+  CellIndex step;
+};
+
 // Calls f(CellSpan) for the cells that a point is in, or within its reach.
 template <class F>
-void for_each_cell(const Vec3& p, double reach, const ColumnSpec& spec, const F& f) {
-  HeightSpan span{floor_index(p.z() - reach, spec.step), ceil_index(p.z() + reach, spec.step)};
+void for_each_cell(const Vec3& p, double reach, const Indices& of, const F& f) {
+  if (reach == 0) {
+    const std::int32_t low = of.step.floor(p.z());
+    return f(CellSpan{of.cell.floor(p.x()), of.cell.floor(p.y()), {low, low + 1}});
+  }
+  HeightSpan span{of.step.floor(p.z() - reach), of.step.ceil(p.z() + reach)};
   if (span.low == span.high) ++span.high;  // on a step: some height, so that boxes join
-  const std::int32_t x0 = floor_index(p.x() - reach, spec.cell);
-  const std::int32_t y0 = floor_index(p.y() - reach, spec.cell);
-  if (reach == 0) return f(CellSpan{x0, y0, span});
-  const std::int32_t x1 = floor_index(p.x() + reach, spec.cell);
-  const std::int32_t y1 = floor_index(p.y() + reach, spec.cell);
+  const std::int32_t x0 = of.cell.floor(p.x() - reach);
+  const std::int32_t y0 = of.cell.floor(p.y() - reach);
+  const std::int32_t x1 = of.cell.floor(p.x() + reach);
+  const std::int32_t y1 = of.cell.floor(p.y() + reach);
   for (std::int32_t y = y0; y <= y1; ++y) {
     for (std::int32_t x = x0; x <= x1; ++x) f(CellSpan{x, y, span});
   }
@@ -47,14 +58,15 @@ void for_each_cell(const Vec3& p, double reach, const ColumnSpec& spec, const F&
 // The spans of a block of points, by their shard. Its memory is used again for the next block.
 class BinnedSpans {
  public:
-  void bin(std::span<const Vec3> points, double reach, const ColumnSpec& spec) {
+  void bin(std::span<const Vec3> points, double reach, const Indices& indices) {
     std::vector<CellSpan> spans;  // in the order of the points
     std::vector<std::uint16_t> shards;
     spans.reserve(points.size());
     shards.reserve(points.size());
     begins_.fill(0);
     for (const Vec3& p : points) {
-      for_each_cell(p, reach, spec, [&](const CellSpan& span) {
+      __builtin_prefetch(&p + kAhead);
+      for_each_cell(p, reach, indices, [&](const CellSpan& span) {
         const std::size_t shard = shard_of(span.x, span.y);
         spans.push_back(span);
         shards.push_back(static_cast<std::uint16_t>(shard));
@@ -77,13 +89,19 @@ class BinnedSpans {
   std::array<std::uint32_t, kShards + 1> begins_{};
 };
 
+void prefetch(std::span<const CellSpan> spans) {
+  for (std::size_t i = 0; i < spans.size(); i += 64 / sizeof(CellSpan)) {
+    __builtin_prefetch(&spans[i]);
+  }
+}
+
 }  // namespace
 
 // The cells are in shards, so that threads can add to different ones at the same time, and each
 // finds what it changes in its cache. A cell is in one shard, and how its spans come out does not
 // depend on the order in which they come.
 struct ColumnGrid::Impl {
-  explicit Impl(const ColumnSpec& s) : spec(s) {
+  explicit Impl(const ColumnSpec& s) : spec(s), indices(s) {
     require_size("cell", s.cell);
     require_size("step", s.step);
     require_length("gap", s.gap, kLargestCoordinate);
@@ -105,6 +123,7 @@ struct ColumnGrid::Impl {
   }
 
   ColumnSpec spec;
+  Indices indices;
   std::int64_t gap;  // steps; no two are 2^33 apart
   std::vector<ColumnShard> shards{kShards};
   std::vector<BinnedSpans> blocks;  // for the points that come next
@@ -129,7 +148,7 @@ ColumnGrid::~ColumnGrid() {
 ColumnGrid::ColumnGrid(ColumnGrid&&) noexcept = default;
 
 void ColumnGrid::add(const Vec3& p, double reach) {
-  for_each_cell(p, reach, impl_->spec, [&](const CellSpan& span) { impl_->add(span); });
+  for_each_cell(p, reach, impl_->indices, [&](const CellSpan& span) { impl_->add(span); });
 }
 
 void ColumnGrid::add(std::span<const Vec3> points, double reach, const Execution& run) {
@@ -139,7 +158,7 @@ void ColumnGrid::add(std::span<const Vec3> points, double reach, const Execution
   parallel_for(count, {run.threads, {}}, [&](std::size_t b) {
     const std::size_t begin = b * kBlock;
     blocks[b].bin(points.subspan(begin, std::min(kBlock, points.size() - begin)), reach,
-                  impl_->spec);
+                  impl_->indices);
   });
   constexpr std::size_t kTogether = 16;
   parallel_for(kShards / kTogether, {run.threads, {}}, [&](std::size_t group) {
@@ -147,6 +166,7 @@ void ColumnGrid::add(std::span<const Vec3> points, double reach, const Execution
     for (std::size_t s = group * kTogether; s < (group + 1) * kTogether; ++s) {
       spans.clear();
       for (std::size_t b = 0; b < count; ++b) {
+        if (b + 4 < count) prefetch(blocks[b + 4].of(s));
         const std::span<const CellSpan> some = blocks[b].of(s);
         spans.insert(spans.end(), some.begin(), some.end());
       }

@@ -41,17 +41,22 @@ void ColumnShard::add(std::span<const CellSpan> spans, std::int64_t gap) {
   }
 }
 
-// Most columns have one span or none.
+// Most columns have one span or two. A span that is near to one of them alone makes that one
+// longer, which stays further than the gap from the other.
 void ColumnShard::settle(Column& column, const HeightSpan& span, std::int64_t gap) {
-  HeightSpan& known = column.few[0];
+  HeightSpan* known = nullptr;
   if (column.count == 0) {
-    known = span;
+    column.few[0] = span;
     column.count = 1;
-  } else if (column.count == 1 && is_near(known, span, gap)) {
-    known = {std::min(known.low, span.low), std::max(known.high, span.high)};
-  } else {
-    merge_into(column, span, gap);
+    return;
   }
+  const bool first = is_near(column.few[0], span, gap);
+  if (column.count == 1 && first) known = &column.few[0];
+  if (column.count == 2 && first != is_near(column.few[1], span, gap)) {
+    known = &column.few[first ? 0 : 1];
+  }
+  if (!known) return merge_into(column, span, gap);
+  *known = {std::min(known->low, span.low), std::max(known->high, span.high)};
 }
 
 void ColumnShard::merge_into(Column& column, const HeightSpan& span, std::int64_t gap) {

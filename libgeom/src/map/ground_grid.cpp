@@ -55,11 +55,9 @@ struct Place {
 
 struct GroundGrid::Impl {
   double allowed(int dx, int dy) const { return spec.slope * spec.cell * std::hypot(dx, dy); }
-  Cell& at(const Vec3& p) {
-    return cells.at(floor_index(p.x(), spec.cell), floor_index(p.y(), spec.cell));
-  }
+  Cell& at(const Vec3& p) { return cells.at(index.floor(p.x()), index.floor(p.y())); }
   const Cell* find(const Vec3& p) const {
-    return cells.find(floor_index(p.x(), spec.cell), floor_index(p.y(), spec.cell));
+    return cells.find(index.floor(p.x()), index.floor(p.y()));
   }
   // The cell there, where it has returns.
   const Cell* scanned(std::int64_t x, std::int64_t y) const {
@@ -81,6 +79,7 @@ struct GroundGrid::Impl {
   void find_seeds(const std::vector<Place>& all);
 
   GroundSpec spec;
+  CellIndex index;
   CellTiles<Cell> cells;
   std::vector<Surface> surfaces;  // by number; the first is none
 };
@@ -227,7 +226,8 @@ void GroundGrid::Impl::find_seeds(const std::vector<Place>& all) {
   }
 }
 
-GroundGrid::GroundGrid(const GroundSpec& spec) : impl_(std::make_unique<Impl>(Impl{spec, {}, {}})) {
+GroundGrid::GroundGrid(const GroundSpec& spec)
+    : impl_(std::make_unique<Impl>(Impl{spec, CellIndex(spec.cell), {}, {}})) {
   require_size("ground cell", spec.cell);
   require_length("ground slope", spec.slope, kLargestCoordinate);
   require_length("ground height", spec.height, kLargestCoordinate);

@@ -12,17 +12,18 @@ TEST(CellIndex, HoldsTheCoordinateAsDoublesMultiply) {
   for (int i = 0; i < 100000; ++i) {
     const double size = random.uniform(0.05, 3);
     const double v = random.below(2) ? random.stepped(-1e4, 1e4, size) : random.uniform(-1e6, 1e6);
-    const auto low = floor_index(v, size);
+    const CellIndex of(size);
+    const auto low = of.floor(v);
     ASSERT_TRUE(low * size <= v && v < (low + 1) * size) << i;
-    const auto high = ceil_index(v, size);
+    const auto high = of.ceil(v);
     ASSERT_TRUE((high - 1) * size < v && v <= high * size) << i;
   }
 }
 
 TEST(CellIndex, RefusesWhatThirtyOneBitsDoNotHold) {
-  EXPECT_EQ(floor_index(-0x1p30, 1), -(1 << 30));
-  EXPECT_THROW(floor_index(0x1p31, 1), InputError);
-  EXPECT_THROW(ceil_index(-0x1p31, 1), InputError);
+  EXPECT_EQ(CellIndex(1).floor(-0x1p30), -(1 << 30));
+  EXPECT_THROW(CellIndex(1).floor(0x1p31), InputError);
+  EXPECT_THROW(CellIndex(1).ceil(-0x1p31), InputError);
   EXPECT_THROW(require_size("cell", 0), InputError);
 }
 
