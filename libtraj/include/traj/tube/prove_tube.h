@@ -43,7 +43,8 @@ struct Disturbances {
 
 // Why nothing is proved. Under the cascade a command may be clipped: the velocity that the position
 // loop wants, the acceleration that the velocity loop wants, the lift, its horizontal part by the
-// largest tilt (lean), or the rates that the attitude loop wants.
+// largest tilt (lean), the rates that the attitude loop wants, or the angular acceleration that the
+// rate loop wants (turn).
 struct TubeTrouble {
   enum class Kind {
     motor,
@@ -54,14 +55,15 @@ struct TubeTrouble {
     acceleration,
     lift,
     lean,
-    rates
+    rates,
+    turn
   } kind = Kind::motor;
   int motor = 0;    // 1 to 4: the command of this motor may leave its range,
   double time = 0;  // s, from the trajectory's start: then,
-  double room = 0;  // N, m/s, m/s2 or rad/s, <= 0: by as much as this
+  double room = 0;  // N, m/s, m/s2, rad/s or rad/s2, <= 0: by as much as this
 };
 
-inline constexpr geom::Words<TubeTrouble::Kind, 9> kTubeTroubleWords{{
+inline constexpr geom::Words<TubeTrouble::Kind, 10> kTubeTroubleWords{{
     {TubeTrouble::Kind::motor, "motor"},
     {TubeTrouble::Kind::tilt, "tilt"},
     {TubeTrouble::Kind::unstable, "unstable"},
@@ -71,6 +73,7 @@ inline constexpr geom::Words<TubeTrouble::Kind, 9> kTubeTroubleWords{{
     {TubeTrouble::Kind::lift, "lift"},
     {TubeTrouble::Kind::lean, "lean"},
     {TubeTrouble::Kind::rates, "rates"},
+    {TubeTrouble::Kind::turn, "turn"},
 }};
 
 // Periods of the attitude loop, one after the other, and bounds on how far the state is from the
