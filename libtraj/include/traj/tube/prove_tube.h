@@ -13,7 +13,6 @@
 //
 // docs/tube.md states the model and derives the bounds.
 
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -77,13 +76,13 @@ inline constexpr geom::Words<TubeTrouble::Kind, 10> kTubeTroubleWords{{
 }};
 
 // Periods of the attitude loop, one after the other, and bounds on how far the state is from the
-// nominal flight of a cell in them, in the order of docs/tube.md: lift, velocity, lag, heading,
-// rates, spin, filtered, turned, and the acceleration that lift and drag give together (without
-// drag: the gust).
-inline constexpr int kSpanBounds = 25;
+// nominal flight of a cell in them, in the order of docs/tube.md. Geometric controller: lift,
+// velocity, lag, heading, rates, spin, filtered, turned. Cascade: lift, velocity, tilt (x and y),
+// missing, heading, rates, spin, filtered, integral, missed, slope, due. Last stands the
+// acceleration that lift and drag give together (without drag: the gust).
 struct SpanBounds {
   int periods = 0;
-  std::array<double, kSpanBounds> bounds{};
+  std::vector<double> bounds;
 };
 
 // A part of the winds and masses, and the bounds that its proof used.
@@ -106,9 +105,7 @@ struct ProvedTube {
 
 struct TubeOptions {
   std::size_t most_cells = 64;  // >= 1: a proof that takes more is given up
-  // For a certificate of a flight under the geometric controller: `proofs` have bounds that a
-  // checker finds again.
-  bool by_spans = false;
+  bool by_spans = false;  // for a certificate: `proofs` have bounds that a checker finds again
 };
 
 // At every step of a millisecond, for all winds, gusts and vehicles that are allowed, the vehicle
