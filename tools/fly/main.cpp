@@ -84,9 +84,6 @@ void check_usage(const fly::Options& options, const Inputs& inputs, const cli::S
   if (!outputs.certificate.empty() && !options.proved_tube) {
     throw cli::UsageError("--certificate: give --proved-tube, of whose proof it is");
   }
-  if (!outputs.certificate.empty() && options.flown.controller != traj::ControlLaw::geometric) {
-    throw cli::UsageError("--certificate: give --controller geometric; the script knows no other");
-  }
   if (!outputs.certificate.empty() &&
       std::max(options.flown.start_error, options.flown.start_speed) > 0) {
     throw cli::UsageError(

@@ -260,6 +260,8 @@ std::string in_words(const TubeTrouble& trouble) {
       return clipped("the horizontal part of the lift, by the tilt limit,", "m/s2");
     case TubeTrouble::Kind::rates:
       return clipped("a body rate that the attitude loop wants", "rad/s");
+    case TubeTrouble::Kind::turn:
+      return clipped("the angular acceleration that the rate loop wants", "rad/s2");
     case TubeTrouble::Kind::motor:
       break;
   }

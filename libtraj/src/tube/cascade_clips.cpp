@@ -25,6 +25,8 @@ class Clips {
         if (run.millisecond == millisecond_) look_at(run);
       }
       if (j == 0) look_at_rates(step.rates);
+      look_at_size(Kind::turn, step.turns[j].before, loop_.gains.rates.clip);
+      look_at_size(Kind::turn, step.turns[j].spin, loop_.gains.rates.clip);
       for (int i = 0; i < 4; ++i) {
         const Interval m = values(step.commands[j][i]);
         const Quadrotor& q = loop_.model;

@@ -106,18 +106,18 @@ Triple<S> orient(const CascadeLoop& loop, const Wanted<S>& wanted, const TiltedB
   return rates + forward * rates_along(wanted.frame, reference);
 }
 
-// The commands of this millisecond.
+// The rate loop in this millisecond.
 template <class S>
-Held<S> turn(const CascadeLoop& loop, const Wanted<S>& wanted, const Triple<S>& rates,
-             Triple<S>& integral, const TiltedBody<S>& body) {
-  const PidGains& k = loop.gains.rates;
+RateRun<S> turn(const PidGains& k, const Triple<S>& rates, Triple<S>& integral,
+                const TiltedBody<S>& body) {
   const Triple<S> error = rates - body.rates;
+  const Triple<S> pushed = scaled(triple(k.p), error);
+  const Triple<S> damped = scaled(triple(k.d), body.filtered);
+  RateRun<S> run;
+  run.before = pushed + integral - damped;
   integral = integral + scaled(triple(Vec3(kMillisecond * k.i)), error);
-  Held<S> held;
-  held.thrust = wanted.frame.size;
-  held.spin = scaled(triple(k.p), error) + integral - scaled(triple(k.d), body.filtered) +
-              gyroscopic(loop.model.inertia, body.rates);
-  return held;
+  run.spin = pushed + integral - damped;
+  return run;
 }
 
 // A period while it runs.
@@ -173,7 +173,10 @@ class Period {
 
   // A millisecond of the rate loop and the vehicle.
   void advance(int j) {
-    Held<S> held = turn(loop_, wanted_, step_.rates, integral_, body_);
+    step_.turns.push_back(turn(loop_.gains.rates, step_.rates, integral_, body_));
+    Held<S> held;
+    held.thrust = wanted_.frame.size;
+    held.spin = step_.turns.back().spin + gyroscopic(loop_.model.inertia, body_.rates);
     name_errors(held.spin, CascadeRows::kStates + 3 + 3 * j);
     step_.commands.push_back(motors(loop_.model, held));
     held.wind = wind_in(start_.wind, start_.gust, loop_.gusts, j);

@@ -51,6 +51,13 @@ struct PositionRun {
   Triple<S> lift;          // m/s2
 };
 
+// What the rate loop asks for in a millisecond: each may be clipped.
+template <class S>
+struct RateRun {
+  Triple<S> before;  // rad/s2: with the integral as it was,
+  Triple<S> spin;    // rad/s2: and as it is now
+};
+
 // Of each millisecond what motors are told (N), how far the vehicle has moved since the start (m),
 // and its tilt, as if nothing were clipped. Remainders are infinite where a thrust or a lift may
 // point sideways.
@@ -61,6 +68,7 @@ struct CascadeStep {
   std::vector<Triple<S>> moved;  // after 1, 2, ... ms
   std::vector<S> upright;        // after 1, 2, ... ms: the cosine of the tilt
   std::vector<PositionRun<S>> runs;
+  std::vector<RateRun<S>> turns;  // of each millisecond
   Triple<S> rates;  // rad/s, that the attitude loop asks for
 };
 

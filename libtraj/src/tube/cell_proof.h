@@ -9,8 +9,9 @@
 //                                                  times counted from the period's start; a model's
 //                                                  own radius is a larger bound, and cheaper,
 //   Vec3 offset() const                            position minus reference in the middle,
-//   Vector sizes(long n)                           what the symbols' coordinates are at most,
-//   void look_at_hover(long n, const Matrix& map)  whether the loop settles.
+//   void look_at_hover(long n, const Matrix& map)  whether the loop settles,
+//   auto memory() const, void recall(memory)       what it keeps from period to period, to come
+//                                                  back to.
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -22,6 +23,7 @@
 #include "tube/period_symbols.h"
 #include "tube/plant.h"
 #include "tube/prove_cell.h"
+#include "tube/span_claims.h"
 
 namespace traj {
 
@@ -30,7 +32,7 @@ class CellProof {
  public:
   CellTube prove() {
     look_at_weight();
-    for (long n = -before_; n <= steps_ && !out_.trouble;) n = law().pass(n);
+    for (long n = -before_; n <= steps_ && !out_.trouble;) n = pass(n);
     if (!out_.trouble) tell();
     if (!out_.trouble) compare_with_simulator();
     return std::move(out_);
@@ -43,14 +45,16 @@ class CellProof {
   using Columns = ErrorColumnsOf<Rows>;
 
   // `begin`: the state at the start, in which the mass and `start_off` alone have their ranges.
+  // `order`: after so many periods the loops run alike again.
   CellProof(const ReferenceTrack& track, const FlightOptions& options, const Disturbances& d,
-            const TubeCell& cell, typename Rows::template State<Model> begin)
+            const TubeCell& cell, typename Rows::template State<Model> begin, int order)
       : track_(track),
         options_(options),
         cell_(cell),
         period_(options.periods.attitude),
         before_(std::lround(options.hover / kStep)),
         steps_(std::lround((track.duration() + options.settle) / kStep)),
+        claims_(least_room(), static_cast<std::size_t>(order)),
         errors_(start(d, std::move(begin))) {
     out_.radius.assign(tube_periods(track.duration()), 0);
     for (int i = 0; i < 3; ++i) {
@@ -58,33 +62,8 @@ class CellProof {
     }
   }
 
-  static constexpr double slack(int row) {
-    return row >= Rows::kSpin && row < Rows::kPastSpins ? kSpinSlack : kSlack;
-  }
-
-  // What is known at the start of a period, to come back to.
-  struct Moment {
-    std::size_t cursor;
-    Vector middle;
-    ErrorSetOf<Rows> errors;
-    std::size_t notes;
-  };
-
-  Moment moment() const { return {cursor_, middle_, errors_, notes_.size()}; }
-
-  void return_to(const Moment& then) {
-    cursor_ = then.cursor;
-    middle_ = then.middle;
-    errors_ = then.errors;
-    notes_.resize(then.notes);
-    out_.trouble.reset();
-  }
-
-  // Through the period from step n on, to the step that is next.
-  long pass(long n) {
-    advance(n);
-    return n + period_;
-  }
+  // By how much more a checker may find of a quantity.
+  double checkers_room() const { return cell_.by_spans ? kCheckersRoom : 1; }
 
   static Model lightness_of(const TubeCell& cell) {
     return Model::inverse_of(cell.mass_least, cell.mass_most, Rows::kLightness);
@@ -139,6 +118,7 @@ class CellProof {
   int period_;   // ms
   long before_;  // steps before the start,
   long steps_;   // and from there to the very end
+  SpanClaims claims_;
   std::size_t cursor_ = 0;
   std::vector<Reference> at_;  // after 0, 1, ... ms of the period
   Vector middle_ = Vector::Zero();
@@ -149,6 +129,68 @@ class CellProof {
 
  private:
   Law& law() { return static_cast<Law&>(*this); }
+
+  static constexpr double slack(int row) {
+    return row >= Rows::kSpin && row < Rows::kPastSpins ? kSpinSlack : kSlack;
+  }
+
+  // Beside the share: a checker flies its own middle, which is off by up to the simulator's slack.
+  static SpanClaims::Bounds least_room() {
+    SpanClaims::Bounds out;
+    for (int row = 0; row < Rows::kWind; ++row)
+      out.push_back(slack(row) == kSlack ? 10 * kSlack : 2 * slack(row));
+    return out;
+  }
+
+  // Through a span, if there are spans, else through a period, from step n on. Returns the step
+  // that is next.
+  long pass(long n) {
+    if (!cell_.by_spans) {
+      advance(n);
+      return n + period_;
+    }
+    const Moment begin{cursor_, middle_, errors_, notes_.size()};
+    const auto memory = law().memory();
+    while (true) {
+      long next = n;
+      for (int k = 0; k < claims_.periods() && next <= steps_ && !out_.trouble; ++k) {
+        advance(next);
+        next += period_;
+      }
+      if (out_.trouble ? !claims_.shorten() : claims_.settle()) {
+        out_.spans = claims_.spans();
+        return next;
+      }
+      return_to(begin);
+      law().recall(memory);
+    }
+  }
+
+  // What is known at the start of a period, to come back to.
+  struct Moment {
+    std::size_t cursor;
+    Vector middle;
+    ErrorSetOf<Rows> errors;
+    std::size_t notes;
+  };
+
+  void return_to(const Moment& then) {
+    cursor_ = then.cursor;
+    middle_ = then.middle;
+    errors_ = then.errors;
+    notes_.resize(then.notes);
+    out_.trouble.reset();
+  }
+
+  // What the coordinates of the symbols are at most; for a certificate, what it claims.
+  Vector sizes() {
+    Vector out = symbol_sizes(options_.quadrotor, errors_);
+    if (!cell_.by_spans) return out;
+    auto bounded = out.template head<Rows::kWind>();
+    const SpanClaims::Bounds& claimed = claims_.taken_for({bounded.begin(), bounded.end()});
+    std::copy(claimed.begin(), claimed.end(), bounded.begin());
+    return out;
+  }
 
   // On the first reference, in the middle of the cell; also notes that state.
   ErrorSetOf<Rows> start(const Disturbances& d, typename Rows::template State<Model> state) {
@@ -191,7 +233,7 @@ class CellProof {
       held.intervals.conservativeResize(Eigen::NoChange, kHeld + 3);
       held.intervals.template rightCols<3>() = wind;
     }
-    return ErrorSetOf<Rows>(std::move(held), box);
+    return ErrorSetOf<Rows>(std::move(held), box, period_);
   }
 
   // At rest the motors hold the true weight, or as much of it as they can.
@@ -205,7 +247,7 @@ class CellProof {
 
   void advance(long n) {
     law().load(n);
-    const PeriodSymbolsOf<Rows> symbols(options_.quadrotor, law().sizes(n));
+    const PeriodSymbolsOf<Rows> symbols(options_.quadrotor, sizes());
     const auto step = law().step(symbols.state(middle_));
     look_for_limits(n, symbols, step);
     if (out_.trouble) return;

@@ -14,7 +14,7 @@ class CascadeProof : public CellProof<CascadeProof, Rows> {
  public:
   CascadeProof(const ReferenceTrack& track, const FlightOptions& options, const Disturbances& d,
                const TubeCell& cell)
-      : CellProof(track, options, d, cell, begin(track, options, d, cell)),
+      : CellProof(track, options, d, cell, begin(track, options, d, cell), order(options.periods)),
         loop_(loop_of(options, d)) {
     const LiftGains k(loop_);
     for (int i = 0; i < 3; ++i) {
@@ -42,8 +42,10 @@ class CascadeProof : public CellProof<CascadeProof, Rows> {
 
   std::optional<TubeTrouble> limit_met(const CascadeStep<Model>& step,
                                        const std::function<double(const Model&)>& bound_of) const {
-    if (!first_clip(loop_, step, [](const Model& m) { return m.radius() + kSlack; })) return {};
-    return first_clip(loop_, step, bound_of);
+    const double room = checkers_room();
+    const auto roughly = [&](const Model& m) { return room * m.radius() + kSlack; };
+    if (!first_clip(loop_, step, roughly)) return {};
+    return first_clip(loop_, step, [&](const Model& m) { return room * bound_of(m); });
   }
 
   // The velocity's error = kp (p_r - p) + f v_r - v.
@@ -53,22 +55,32 @@ class CascadeProof : public CellProof<CascadeProof, Rows> {
            (forward * at_.front().velocity).cwiseQuotient(loop_.gains.position.p);
   }
 
-  Vector sizes(long) const { return symbol_sizes(loop_.model, errors_); }
-
-  // The loops run in the same order again after some periods: whether the loop in hover dies away
-  // over these.
+  // Whether the loop in hover dies away until the loops run in the same order again.
   void look_at_hover(long n, const Matrix& map) {
-    const int position = loop_.periods.position;
-    const long order = position / std::gcd(position, period_);
+    const int last = order(loop_.periods);
     const long done = (n + before_) / period_;
-    if (done >= order) return;
+    if (done >= last) return;
     modes_ = done == 0 ? map : Matrix(map * modes_);
-    if (done + 1 < order) return;
-    errors_.box_along(slow_modes(modes_, at_.front().yaw, static_cast<double>(order * period_)));
+    if (done + 1 < last) return;
+    errors_.box_along(slow_modes(modes_, at_.front().yaw, static_cast<double>(last * period_)));
     if (!settles(modes_)) note(TubeTrouble::Kind::unstable, n);
   }
 
+  struct Memory {
+    Vec3 last_asked;
+    Matrix modes;
+  };
+  Memory memory() const { return {last_asked_, modes_}; }
+  void recall(const Memory& then) {
+    last_asked_ = then.last_asked;
+    modes_ = then.modes;
+  }
+
  private:
+  static int order(const LoopPeriods& periods) {
+    return periods.position / std::gcd(periods.position, periods.attitude);
+  }
+
   static CascadeLoop loop_of(const FlightOptions& options, const Disturbances& d) {
     return {options.quadrotor, options.gains, options.periods, {d.gust_lag, d.gust_most}};
   }

@@ -1,7 +1,6 @@
 #include "tube/prove_cell.h"
 
 #include "tube/cell_proof.h"
-#include "tube/span_claims.h"
 
 namespace traj {
 namespace {
@@ -10,7 +9,7 @@ class GeometricProof : public CellProof<GeometricProof, GeometricRows> {
  public:
   GeometricProof(const ReferenceTrack& track, const FlightOptions& options, const Disturbances& d,
                  const TubeCell& cell)
-      : CellProof(track, options, d, cell, begin(track, options, d, cell)),
+      : CellProof(track, options, d, cell, begin(track, options, d, cell), 1),
         loop_(loop_of(options, d)) {
     for (int i = 0; i < 3; ++i) {
       place_(i, i) = -1 / loop_.gains.position[i];
@@ -33,8 +32,8 @@ class GeometricProof : public CellProof<GeometricProof, GeometricRows> {
       for (int i = 0; i < 4; ++i) {
         const TaylorModel& m = step.commands[j][i];
         const double half = std::min(q.motor_most - m.c, m.c - q.motor_least);
-        if (half > m.radius()) continue;
-        const double room = half - (cell_.by_spans ? kCheckersRoom : 1) * bound_of(m);
+        if (half > checkers_room() * m.radius()) continue;
+        const double room = half - checkers_room() * bound_of(m);
         if (room > 0) continue;
         const double time = static_cast<double>(j) * kStep;
         if (!std::isfinite(room)) return TubeTrouble{TubeTrouble::Kind::tilt, 0, time, 0};
@@ -53,37 +52,13 @@ class GeometricProof : public CellProof<GeometricProof, GeometricRows> {
     return -(asked - damped).cwiseQuotient(loop_.gains.position);
   }
 
-  Vector sizes(long) {
-    Vector out = symbol_sizes(loop_.model, errors_);
-    if (!cell_.by_spans) return out;
-    SpanClaims::Bounds found;
-    Eigen::Map<Eigen::Matrix<double, kSpanBounds, 1>> rows(found.data());
-    rows = out.head<kSpanBounds>();
-    out.head<kSpanBounds>() =
-        Eigen::Map<const Eigen::Matrix<double, kSpanBounds, 1>>(claims_.taken_for(found).data());
-    return out;
-  }
-
-  // Through a span, if there are spans, else through a period.
-  long pass(long n) {
-    if (!cell_.by_spans) return CellProof::pass(n);
-    const Moment begin = moment();
-    while (true) {
-      long next = n;
-      for (int k = 0; k < claims_.periods() && next <= steps_ && !out_.trouble; ++k) {
-        next = CellProof::pass(next);
-      }
-      if (out_.trouble ? !claims_.shorten() : claims_.settle()) {
-        out_.spans = claims_.spans();
-        return next;
-      }
-      return_to(begin);
-    }
-  }
-
   void look_at_hover(long n, const ErrorMatrix& map) {
     if (n == -before_ && !settles(map)) note(TubeTrouble::Kind::unstable, n);
   }
+
+  struct Nothing {};
+  Nothing memory() const { return {}; }
+  void recall(Nothing) {}
 
  private:
   static Loop loop_of(const FlightOptions& options, const Disturbances& d) {
@@ -99,7 +74,6 @@ class GeometricProof : public CellProof<GeometricProof, GeometricRows> {
   }
 
   Loop loop_;
-  SpanClaims claims_;
 };
 
 }  // namespace

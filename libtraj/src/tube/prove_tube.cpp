@@ -63,7 +63,6 @@ ProvedTube prove_tube(const ReferenceTrack& track, const FlightOptions& options,
   assert(options.hover >= kStep && options.periods.attitude >= 1 && options.periods.attitude <= 4);
   ProvedTube out;
   const bool cascade = options.law == ControlLaw::cascade;
-  assert(!(cascade && tube.by_spans));
   const auto prove = cascade ? prove_cascade_cell : prove_cell;
   std::vector<TubeCell> cells = {whole(d, tube.by_spans)};
   bool first = true;

@@ -2,6 +2,7 @@
 
 // Bounds that a certificate claims, chosen while a proof goes on.
 
+#include <deque>
 #include <vector>
 
 #include "traj/tube/prove_tube.h"
@@ -13,14 +14,18 @@ namespace traj {
 // as deviations grew in the span before. If it fails, the coordinates that failed get larger
 // bounds; if that fails too, the span gets fewer periods. Bounds of a single period hold at once.
 //
-//   SpanClaims claims;
+//   SpanClaims claims(least, 1);
 //   do {
 //     // From the span's start, claims.periods() times: a period in which deviations are at most
 //     // claims.taken_for(found).
 //   } while (!claims.settle());
 class SpanClaims {
  public:
-  using Bounds = std::array<double, kSpanBounds>;
+  using Bounds = std::vector<double>;
+
+  // `least`: room that each coordinate gets beside its share, in the coordinate's unit. `order`:
+  // after so many periods the loops run alike again. What swings in that time is not a change.
+  SpanClaims(Bounds least, std::size_t order) : room_(std::move(least)), order_(order) {}
 
   // Periods that the span in progress should have.
   int periods() const { return periods_; }
@@ -44,15 +49,22 @@ class SpanClaims {
   bool raise();  // where there is no room; false: there is everywhere
   int next_periods() const;
 
+  // What was found at most in the last order_ periods.
+  Bounds level() const;
+
+  Bounds room_;
+  std::size_t order_;
+  std::deque<Bounds> last_;    // what was found in up to order_ periods,
+  std::deque<Bounds> before_;  // and when the span began
   std::vector<SpanBounds> spans_;
   int periods_ = 1;
   int met_ = 0;    // periods of this span
   int tries_ = 0;  // of this span
-  Bounds taken_{};
-  Bounds first_{};   // what was found in the span's first period,
-  Bounds least_{};   // the least,
-  Bounds most_{};    // and the most
-  Bounds growth_{};  // of a period, in the span before
+  Bounds taken_;
+  Bounds first_;   // the level in the span's first period,
+  Bounds least_;   // the least,
+  Bounds most_;    // and the most that was found
+  Bounds growth_;  // of a period, in the span before
 };
 
 }  // namespace traj

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "geom/text/json_line.h"
 #include "traj/flight/monte_carlo.h"
@@ -26,12 +27,13 @@ double rounded_up(double value) {
   return near >= value ? near : read(fmt::format("{:.3e}", value * 1.001));
 }
 
-JsonLine object_of(const Quadrotor& q) {
+JsonLine object_of(const Quadrotor& q, ControlLaw law) {
   JsonLine line;
   line.add("mass", q.mass).add("inertia", q.inertia).add("arm", q.arm);
   line.add("torque_per_thrust", q.torque_per_thrust);
   line.add("motor_time_constant", q.motor_time_constant);
   line.add("motor_least", q.motor_least).add("motor_most", q.motor_most).add("drag", q.drag);
+  if (law == ControlLaw::cascade) line.add("body_rate_max", q.body_rate_max);
   return line;
 }
 
@@ -39,6 +41,28 @@ JsonLine object_of(const GeometricGains& k) {
   JsonLine line;
   line.add("position", k.position).add("velocity", k.velocity).add("attitude", k.attitude);
   line.add("rates", k.rates).add("lead", k.lead);
+  return line;
+}
+
+JsonLine object_of(const PidGains& k) {
+  JsonLine line;
+  line.add("p", k.p).add("i", k.i).add("d", k.d);
+  if (std::isfinite(k.clip)) line.add("clip", k.clip);
+  return line;
+}
+
+JsonLine object_of(const FeedForward& k) {
+  JsonLine line;
+  line.add("velocity", k.velocity).add("acceleration", k.acceleration);
+  return line.add("body_rates", k.body_rates);
+}
+
+JsonLine object_of(const Gains& k, ControlLaw law) {
+  if (law == ControlLaw::geometric) return object_of(k.geometric);
+  JsonLine line;
+  line.add("position", object_of(k.position)).add("velocity", object_of(k.velocity));
+  line.add("attitude", k.attitude).add("rates", object_of(k.rates));
+  line.add("feed_forward", object_of(k.feed_forward)).add("tilt_max", k.tilt_max);
   return line;
 }
 
@@ -64,8 +88,11 @@ std::string tube_certificate_line(const std::string& id, geom::Axes axes,
   JsonLine line;
   line.add("type", "tube_certificate").add("id", id);
   line.add("frame", geom::name(axes));
-  line.add("vehicle", object_of(o.quadrotor)).add("gains", object_of(o.gains.geometric));
-  line.add("attitude_period_ms", o.periods.attitude).add("hover", o.hover).add("settle", o.settle);
+  line.add("vehicle", object_of(o.quadrotor, o.law));
+  line.add("controller", geom::word_of(kControlLawWords, o.law));
+  line.add("gains", object_of(o.gains, o.law)).add("attitude_period_ms", o.periods.attitude);
+  if (o.law == ControlLaw::cascade) line.add("position_period_ms", o.periods.position);
+  line.add("hover", o.hover).add("settle", o.settle);
   line.add("wind", d.wind).add("wind_spread", d.wind_spread).add("gust_most", d.gust_most);
   line.add("gust_lag", d.gust_lag).add("mass_error", d.mass_error);
   line.add("drag_error", d.drag_error).add("motor_lag_error", d.motor_lag_error);
@@ -73,7 +100,7 @@ std::string tube_certificate_line(const std::string& id, geom::Axes axes,
   line.add("period", kTubePeriod).add("tilt", tube.tilt).add("radius", tube.radius);
   line.add("cells", tube.proofs, [](const ProvedCell& cell) {
     std::vector<int> periods;
-    std::vector<std::array<double, kSpanBounds>> bounds;
+    std::vector<std::vector<double>> bounds;
     for (const SpanBounds& span : cell.spans) {
       periods.push_back(span.periods);
       bounds.push_back(span.bounds);

@@ -5,34 +5,47 @@ verify_tube.py compares them with what a certificate claims.
 
 import numpy as np
 
-from tube_flight import GRAVITY, GUST, LAG, LIFT, LIGHTNESS, SPIN, STATES, TURNED, VELOCITY, WIND
-from tube_period import ROUNDING
+from tube_flight import GRAVITY
+from tube_models import ROUNDING
 
 SLACK = 1e-9  # by so much the simulator may differ from the equations in each coordinate and period,
 SPIN_SLACK = 1e-7  # but in angular accelerations by so much, which are larger numbers
-BOUNDED = 25  # rows whose bounds a certificate has
-CHANGING = 25  # rows that are not the same for ever
-SLACKS = np.full(CHANGING, SLACK)
-SLACKS[SPIN:TURNED] = SPIN_SLACK
-BLOCK = 25  # periods whose disturbances grow old together
-JOINED = 5  # periods whose gusts are added up
-SLOW = [0, 1, 2, 3, 4, 5, 9]  # lift, velocity and heading, which what is fast soon follows
+JOINED = 20  # ms whose gusts are added up
+BLOCK = 5  # of those, whose disturbances grow old together
 AGED = 10  # blocks, then what they did is joined
 OLD = 4  # of those, then it becomes a box
 KEPT = 100  # columns of those that grow old
+RIDGE = 1e-3  # share of the squares that keeps ties small
+LACKS = 8  # row of what the thrust lacks of the lift
 UP = 1 + 1e-12  # above the rounding of sums of thousands of terms of one sign
+
+
+def slacks(law):
+    """Of each row that changes."""
+    out = np.full(law.ROWS.wind, SLACK)
+    out[law.SPINS] = SPIN_SLACK
+    return out
 
 
 def rows_of(claim):
     """Linear forms whose bounds are asked for: the rows of the certificate, and the place."""
-    forms = np.zeros((BOUNDED + 3, STATES))
-    forms[:BOUNDED, :BOUNDED] = np.eye(BOUNDED)
+    rows = claim.law.ROWS
+    forms = np.vstack([np.eye(rows.wind, rows.states), claim.law.place_forms(claim)])
     drag = claim.drag_rate
     for i in range(3):
         if drag:
-            forms[GUST + i, [LIFT + i, VELOCITY + i, GUST + i, WIND + i]] = 1, -drag, drag, drag
-        forms[BOUNDED + i, [LIFT + i, VELOCITY + i]] = -1 / claim.position[i], -claim.velocity[i] / claim.position[i]
+            forms[rows.gust + i, [rows.lift + i, rows.velocity + i, rows.gust + i, rows.wind + i]] = 1, -drag, drag, drag
     return forms
+
+
+def joined(claim):
+    """Periods whose gusts are added up."""
+    return -(-JOINED // claim.period)
+
+
+def block(claim):
+    """Periods whose disturbances grow old together."""
+    return BLOCK * joined(claim)
 
 
 def ball_norms(images):
@@ -76,14 +89,14 @@ class Terms:
         return np.abs(self.intervals).sum(1) + np.abs(self.balls).sum(1)
 
     def bounds(self, forms):
-        """Of linear forms (..., STATES)."""
-        shape, forms = forms.shape[:-1], np.ascontiguousarray(forms.reshape(-1, STATES))
+        """Of linear forms (..., states)."""
+        shape, forms = forms.shape[:-1], np.ascontiguousarray(forms.reshape(-1, forms.shape[-1]))
         rounding = ROUNDING * (np.abs(forms) @ self.sizes())
         out = (np.abs(forms @ self.intervals).sum(-1) + ball_norms(forms @ self.balls)) * UP + rounding
         return out.reshape(shape)
 
     def reach(self, forms):
-        """Of forms (..., 3, STATES): what intervals do along each axis, and how far balls reach."""
+        """Of forms (..., 3, states): what intervals do along each axis, and how far balls reach."""
         rounding = ROUNDING * (np.abs(forms) @ self.sizes())
         return np.abs(forms @ self.intervals).sum(-1) * UP + rounding, ball_reach(forms @ self.balls) * UP
 
@@ -92,43 +105,50 @@ class Deviations:
     """All that disturbances so far may have done, from block to block."""
 
     def __init__(self, claim, cell):
-        self.claim = claim
+        self.claim, self.law, self.rows = claim, claim.law, claim.law.ROWS
+        rows = self.rows
+        self.states, self.changing = rows.states, rows.wind
         _, radius, factors, halves = cell.nominal()
         lightness, lightness_half = factors[0], halves[0]
-        held = np.zeros((STATES, 3))
-        held[WIND:WIND + 3] = np.diag(radius)
-        vehicle = np.zeros((STATES, STATES - LIGHTNESS))  # masses first
-        vehicle[LIGHTNESS:] = np.diag(halves)
-        vehicle[LAG + 2, 0] = GRAVITY / lightness**2 * lightness_half
-        none = np.zeros((STATES, 0))
+        held = np.zeros((self.states, 3))
+        held[rows.wind:rows.wind + 3] = np.diag(radius)
+        vehicle = np.zeros((self.states, self.states - rows.lightness))  # masses first
+        vehicle[rows.lightness:] = np.diag(halves)
+        vehicle[LACKS, 0] = GRAVITY / lightness**2 * lightness_half
+        none = np.zeros((self.states, 0))
         self.held = Terms(vehicle, held) if cell.is_ball else Terms(np.hstack([held, vehicle]), none)
-        start = np.zeros((STATES, 1))
-        start[LAG + 2] = GRAVITY * lightness_half**2 / (lightness - lightness_half) ** 3 * UP + SLACK
-        start[:CHANGING, 0] += SLACKS
-        self.tail = Terms(np.diag(start[:, 0]), none)
-        self.recent, self.aged, self.old = Terms(none, none), [], []
-        self.gust = np.zeros((STATES, 3))
-        self.gust[GUST:GUST + 3] = np.eye(3) * (1 - claim.gust_kept(claim.period)) * claim.gust_most * UP
+        start = np.zeros(self.states)
+        start[LACKS] = GRAVITY * lightness_half**2 / (lightness - lightness_half) ** 3 * UP + SLACK
+        start[:self.changing] += slacks(self.law)
+        self.tail = Terms(np.diag(start), none)
+        self.recent, self.aged, self.old = [], [], []
+        self.gust = np.zeros((self.states, 3))
+        self.gust[rows.gust:rows.gust + 3] = np.eye(3) * (1 - claim.gust_kept(claim.period)) * claim.gust_most * UP
         self.forms = rows_of(claim)
+        self.slow = np.zeros((0, self.states))
+
+    def box_along(self, forms):
+        """What is slow, which what is fast soon follows: linear forms that boxes are taken along from now on."""
+        self.slow = forms
 
     def parts(self):
         return self.held, self.now
 
     def begin(self, maps, named, box):
-        """A block of periods: their maps (n, STATES, STATES), columns of named errors, and boxes."""
-        self.now = Terms.all([self.tail, *self.old, *self.aged, self.recent])
-        sizes = self.sizes = sum(part.bounds(np.eye(STATES)) for part in self.parts())
-        self.products, self.lost = [np.eye(STATES)], [np.zeros(STATES)]  # lost: by the rounding of the products
+        """A block of periods: their maps (n, states, states), columns of named errors, and boxes."""
+        self.now = Terms.all([self.tail, *self.old, *self.aged, *self.recent])
+        sizes = self.sizes = sum(part.bounds(np.eye(self.states)) for part in self.parts())
+        self.products, self.lost = [np.eye(self.states)], [np.zeros(self.states)]  # lost: by the rounding of the products
         for m in maps:
             self.lost.append(np.abs(m) @ (self.lost[-1] + ROUNDING * (np.abs(self.products[-1]) @ sizes)))
             self.products.append(m @ self.products[-1])
-        none = np.zeros((STATES, 0))
+        none = np.zeros((self.states, 0))
         self.own = [Terms(none, none)]  # of this block, at the start of each period and at the end
         for j, m in enumerate(maps):
             now, width = self.own[-1], named.shape[2]
-            fresh = np.zeros((STATES, width + CHANGING))
-            fresh[:CHANGING, :width] = named[j]
-            fresh[:CHANGING, width:] = np.diag(box[j] + ROUNDING * (np.abs(m) @ now.sizes())[:CHANGING])
+            fresh = np.zeros((self.states, width + self.changing))
+            fresh[:self.changing, :width] = named[j]
+            fresh[:self.changing, width:] = np.diag(box[j] + ROUNDING * (np.abs(m) @ now.sizes())[:self.changing])
             moved = now.moved(m)
             self.own.append(Terms(np.hstack([moved.intervals, fresh]), np.hstack([moved.balls, self.gust])))
 
@@ -139,10 +159,10 @@ class Deviations:
         forms = self.forms @ products
         bounds = np.array(self.lost[:-1]) @ np.abs(self.forms).T * UP
         bounds = bounds + ROUNDING * ((np.abs(self.forms) @ np.abs(products)) @ self.sizes)
-        across, reach = bounds[:, BOUNDED:], np.zeros(count)
+        across, reach = bounds[:, self.changing:], np.zeros(count)
         for part in self.parts():
             bounds = bounds + part.bounds(forms)
-            along, balls = part.reach(forms[:, BOUNDED:])
+            along, balls = part.reach(forms[:, self.changing:])
             across, reach = across + along, reach + balls
         own_bounds, own_across, own_reach = self.own_bounds()
         return bounds + own_bounds, np.sqrt(((across + own_across) ** 2).sum(-1)) * UP + reach + own_reach
@@ -158,8 +178,8 @@ class Deviations:
             balls = self.forms @ whole.balls
             rounding = ROUNDING * (np.array([t.sizes() for t in some]) @ np.abs(self.forms).T)
             bounds[1:] = sums + np.add.reduceat(lengths(balls), ball_at, axis=1).T * UP + rounding
-            across[1:] = sums[:, BOUNDED:] + rounding[:, BOUNDED:]
-            reach[1:] = np.add.reduceat(stretches(balls[BOUNDED:]), ball_at) * UP
+            across[1:] = sums[:, self.changing:] + rounding[:, self.changing:]
+            reach[1:] = np.add.reduceat(stretches(balls[self.changing:]), ball_at) * UP
         return bounds, across, reach
 
     def bounds_at(self, periods, forms):
@@ -176,57 +196,60 @@ class Deviations:
         """To the start of the next block."""
         through = self.products[-1]
         lost = self.lost[-1] + ROUNDING * (np.abs(through) @ sum(part.sizes() for part in self.parts()))
-        self.held, self.tail, recent = (part.moved(through) for part in (self.held, self.tail, self.recent))
-        self.old, self.aged = ([part.moved(through) for part in parts] for parts in (self.old, self.aged))
-        if recent.balls.shape[1] == 3 * BLOCK:
-            self.age(recent)
-        self.recent = self.own[-1]
-        self.recent.intervals[:CHANGING, -CHANGING:] += np.diag(lost[:CHANGING])
+        self.held, self.tail = (part.moved(through) for part in (self.held, self.tail))
+        self.old, self.aged, self.recent = ([part.moved(through) for part in parts] for parts in (self.old, self.aged, self.recent))
+        self.own[-1].intervals[:self.changing, -self.changing:] += np.diag(lost[:self.changing])
+        self.recent.append(self.own[-1])
+        if len(self.recent) > self.law.WHOLE:
+            self.age(self.recent.pop(0))
 
-    def age(self, block):
+    def age(self, old):
         """Adds up errors of a kind over the periods of a block. Few columns hold how they differ from their mean."""
-        balls, rest = added_up(block.balls, JOINED)
-        columns = block.intervals.reshape(STATES, BLOCK, -1)
-        kinds = columns[:, :, :-CHANGING].reshape(STATES, -1, 3), columns[:, :, -CHANGING:]
+        balls, rest = added_up(old.balls, joined(self.claim))
+        columns = old.intervals.reshape(self.states, block(self.claim), -1)
+        kinds, at = [], 0
+        for width in self.law.named(self.claim.period):
+            kinds.append(columns[:, :, at:at + width].reshape(self.states, -1, 3))
+            at += width
+        kinds.append(columns[:, :, at:])
         means = [kind.mean(1, keepdims=True) for kind in kinds]
-        rest = [rest, *((kind - middle).reshape(STATES, -1) for kind, middle in zip(kinds, means))]
+        rest = [rest, *((kind - middle).reshape(self.states, -1) for kind, middle in zip(kinds, means))]
         sums = [middle[:, 0] * kind.shape[1] for kind, middle in zip(kinds, means)]
-        self.aged.append(Terms(np.hstack([*sums, around(np.hstack(rest), ROUNDING * block.sizes())]), balls))
+        around = around_along(self.slow, np.hstack(rest), ROUNDING * old.sizes())
+        self.aged.append(Terms(np.hstack([*sums, around]), balls))
         if len(self.aged) == 2 * AGED:
-            self.old.append(self.joined(self.aged[:AGED]))
+            terms = Terms.all(self.aged[:AGED])
+            self.old.append(Terms(fewer_along(self.slow, terms.intervals, ROUNDING * terms.sizes()), terms.balls))
             del self.aged[:AGED]
         if len(self.old) == 2 * OLD:
             oldest = Terms.all([self.tail, *self.old[:OLD]])
-            self.tail = Terms(fewer(np.hstack([oldest.intervals, oldest.balls]), np.zeros(STATES)), np.zeros((STATES, 0)))
+            columns = np.hstack([oldest.intervals, oldest.balls])
+            self.tail = Terms(fewer_along(self.slow, columns, np.zeros(self.states)), np.zeros((self.states, 0)))
             del self.old[:OLD]
-
-    @staticmethod
-    def joined(blocks):
-        terms = Terms.all(blocks)
-        return Terms(fewer(terms.intervals, ROUNDING * terms.sizes()), terms.balls)
 
 
 def added_up(balls, count):
     """One ball in place of so many neighbouring ones, their sum, and a box for how they differ from their mean."""
-    balls = balls.reshape(STATES, -1, count, 3)
+    states = len(balls)
+    balls = balls.reshape(states, -1, count, 3)
     mean = balls.mean(2, keepdims=True)
-    return (mean * count).reshape(STATES, -1), np.diag(ball_norms((balls - mean).reshape(STATES, -1)))
+    return (mean * count).reshape(states, -1), np.diag(ball_norms((balls - mean).reshape(states, -1)))
 
 
-def fewer(columns, more):
+def fewer_along(forms, columns, more):
     """The columns that do most to what is slow, and few around the others."""
-    box = np.maximum(np.abs(columns).sum(1), 1e-300)
-    order = np.argsort((np.abs(columns[SLOW]) / box[SLOW, None]).sum(0))
-    return np.hstack([columns[:, order[-KEPT:]], around(columns[:, order[:-KEPT]], more)])
+    slow = np.abs(forms @ columns)
+    order = np.argsort((slow / np.maximum(slow.sum(1), 1e-300)[:, None]).sum(0))
+    return np.hstack([columns[:, order[-KEPT:]], around_along(forms, columns[:, order[:-KEPT]], more)])
 
 
-def around(columns, more):
-    """Few columns around many and a box: a box of what is slow, to which what is fast is tied, and a box for what that leaves.
-    Any tie is right."""
+def around_along(forms, columns, more):
+    """Few columns around many and a box: a box of what is slow, to which all is tied, and a box for what that leaves. Any tie is right. The best
+    ties by least squares may be large numbers that nearly cancel, and make a wide box."""
     box = np.abs(columns).sum(1)
-    scaled = columns[SLOW] / np.maximum(box[SLOW], 1e-300)[:, None]
+    scaled = forms @ columns
+    scaled = scaled / np.maximum(np.abs(scaled).sum(1), 1e-300)[:, None]
     gram = scaled @ scaled.T
-    ties = np.linalg.solve(gram + np.eye(len(SLOW)) * (1e-9 * np.trace(gram) + 1e-300), scaled @ columns.T).T
-    ties[SLOW] = np.diag(box[SLOW])
+    ties = np.linalg.solve(gram + np.eye(len(forms)) * (RIDGE * np.trace(gram) + 1e-300), scaled @ columns.T).T
     rest = np.abs(columns - ties @ scaled).sum(1) + ROUNDING * (box + np.abs(ties) @ np.abs(scaled).sum(1)) + more
     return np.hstack([ties, np.diag(rest)]) * UP

@@ -1,19 +1,27 @@
 """A trajectory as the reference of a flight, and one flight along it: a quadrotor's own equations with a quaternion.
 
-verify_tube.py flies the middle of each cell with this. docs/tube.md names the equations.
+verify_tube.py flies the middle of each cell with this. docs/tube.md names the equations; tube_geometric.py and tube_cascade.py have the controllers.
 """
 
 import math
 
 import numpy as np
 
+from tube_models import cross, dot
+
 GRAVITY = 9.80665
 STEP = 1e-3  # s
 FILTER_SHARE = STEP / (STEP + 1 / (2 * 3.141592653589793 * 30))  # of the low pass on angular acceleration
 
-# Rows of the state in the coordinates of docs/tube.md.
-LIFT, VELOCITY, LAG, HEADING, RATES, SPIN, FILTERED, TURNED, GUST, WIND, LIGHTNESS, DRAG, QUICKNESS, AGILITY = 0, 3, 6, 9, 10, 13, 16, 19, 22, 25, 28, 29, 30, 31
-STATES = 34
+
+class Rows:
+    """Where the coordinates of docs/tube.md stand in the state: those of a controller, and what all have. What stands before `wind` changes."""
+
+    def __init__(self, **own):
+        self.states = 0
+        for name, count in {**own, "gust": 3, "wind": 3, "lightness": 1, "drag": 1, "quickness": 1, "agility": 3}.items():
+            setattr(self, name, self.states)
+            self.states += count
 
 
 # ---- The reference.
@@ -65,14 +73,6 @@ class Track:
 
 # ---- A flight.
 
-def dot(a, b):
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-def cross(a, b):
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
-
-
 def unit(a):
     size = math.sqrt(dot(a, a))
     return (a[0] / size, a[1] / size, a[2] / size)
@@ -83,6 +83,26 @@ def attitude_along(force, yaw):
     z = unit(force)
     x = unit(cross((-math.sin(yaw), math.cos(yaw), 0.0), z))
     return x, cross(z, x), z
+
+
+def rates_along(wanted, size, jerk, yaw, yaw_rate):
+    """The body rates of a frame that stays along a lift of this size (attitude_along) while the lift changes by the jerk."""
+    x, y, z = wanted
+    along = dot(z, jerk)
+    dz = [(jerk[i] - along * z[i]) / size for i in range(3)]
+    left = (-math.sin(yaw), math.cos(yaw), 0.0)
+    turned = cross([-yaw_rate * math.cos(yaw), -yaw_rate * math.sin(yaw), 0.0], z)
+    leant = cross(left, dz)
+    across = [turned[i] + leant[i] for i in range(3)]
+    flat = cross(left, z)
+    return (-dot(dz, y), dot(dz, x), dot(across, y) / math.sqrt(dot(flat, flat)))
+
+
+def motors_for(claim, thrust, torque):
+    """The commands that give this thrust and torque, not clipped."""
+    mean = thrust / 4
+    x, y, z = torque[0] / (4 * claim.arm[1]), torque[1] / (4 * claim.arm[0]), torque[2] / (4 * claim.torque_per_thrust)
+    return (mean - x - y - z, mean + x + y - z, mean + x - y + z, mean - x + y + z)
 
 
 def body_axes(q):
@@ -96,7 +116,7 @@ class Quadrotor:
     """Position, velocity, quaternion (w first), body rates and motor thrusts as one list of 17 numbers."""
 
     def __init__(self, claim, factors, wind):
-        """`factors`: how it differs from what is believed, the coordinates from LIGHTNESS on."""
+        """`factors`: how it differs from what is believed, the coordinates from `lightness` on."""
         lightness, drag, quickness, *agility = factors
         self.claim, self.factors, self.wind = claim, list(factors), wind
         self.mass, self.lag = claim.mass / lightness, claim.motor_time_constant / quickness
@@ -135,81 +155,24 @@ class Quadrotor:
         return out
 
 
-class Controller:
-    """Lee, Leok and McClamroch 2010, and what of it stays from one step to the next."""
-
-    def __init__(self, claim):
-        self.claim = claim
-        self.filtered, self.last_rates = [0.0] * 3, [0.0] * 3
-
-    def look(self, s, reference):
-        """The attitude loop runs."""
-        p, v, a, jerk, yaw, yaw_rate = reference
-        kp, kv = self.claim.position, self.claim.velocity
-        self.lift = [kp[i] * (p[i] - s[i]) + kv[i] * (v[i] - s[3 + i]) + a[i] + (GRAVITY if i == 2 else 0.0) for i in range(3)]
-        self.wanted = x, y, z = attitude_along(self.lift, yaw)
-        along = dot(z, jerk)
-        size = math.sqrt(dot(self.lift, self.lift))
-        dz = [(jerk[i] - along * z[i]) / size for i in range(3)]
-        left = (-math.sin(yaw), math.cos(yaw), 0.0)
-        turned = cross([-yaw_rate * math.cos(yaw), -yaw_rate * math.sin(yaw), 0.0], z)
-        leant = cross(left, dz)
-        across = [turned[i] + leant[i] for i in range(3)]
-        flat = cross(left, z)
-        self.rates = (-dot(dz, y), dot(dz, x), dot(across, y) / math.sqrt(dot(flat, flat)))
-
-    def command(self, s):
-        """The motors' commands of this step, not clipped."""
-        claim, w = self.claim, s[10:13]
-        body = body_axes(s[6:10])
-        towards = [[dot(b, a) for a in self.wanted] for b in body]  # body . wanted
-        error = [0.5 * (dot(self.wanted[j], body[k]) - dot(self.wanted[k], body[j])) for j, k in ((2, 1), (0, 2), (1, 0))]
-        follow = [dot(row, self.rates) for row in towards]
-        for i in range(3):
-            self.filtered[i] += FILTER_SHARE * ((w[i] - self.last_rates[i]) / STEP - self.filtered[i])
-        self.last_rates = list(w)
-        spin = [-claim.attitude[i] * error[i] - claim.rates[i] * (w[i] - follow[i]) - claim.lead[i] * self.filtered[i] for i in range(3)]
-        inertia = claim.inertia
-        turn, carried = cross(w, [inertia[i] * w[i] for i in range(3)]), cross(w, follow)
-        torque = [inertia[i] * (spin[i] - carried[i]) + turn[i] for i in range(3)]
-        mean = claim.mass * dot(self.lift, body[2]) / 4
-        x, y, z = torque[0] / (4 * claim.arm[1]), torque[1] / (4 * claim.arm[0]), torque[2] / (4 * claim.torque_per_thrust)
-        return (mean - x - y - z, mean + x + y - z, mean + x - y + z, mean - x + y + z)
-
-
-def coordinates(s, controller, quadrotor):
-    """The state as docs/tube.md describes it, when the attitude loop has run."""
-    claim = controller.claim
-    body = body_axes(s[6:10])
-    force = sum(s[13:17]) / claim.mass
-    seen = [[dot(axis, b) for axis in controller.wanted] for b in body]  # each axis of the body in the wanted frame
-    size = math.sqrt(dot(controller.lift, controller.lift))
-    lag = [-force * seen[2][0], -force * seen[2][1], size - force * seen[2][2]]
-    torque = quadrotor.torque(s[13:17])
-    return [*controller.lift, *s[3:6], *lag, math.atan2(seen[0][1], seen[0][0]), *s[10:13],
-            *(torque[i] / claim.inertia[i] for i in range(3)), *controller.filtered,
-            *(s[10 + i] - controller.last_rates[i] for i in range(3)), 0.0, 0.0, 0.0, *quadrotor.wind, *quadrotor.factors]
-
-
 def fly(claim, track, wind, factors, periods, gusts=None):
     """The states at the starts of so many periods and one more, and the positions then, of a flight. `gusts` has those of each step.
 
     It starts at rest on the first reference, claim.before steps before the trajectory.
     """
-    references = track.at(-claim.before, -claim.before + periods * claim.period)
-    rows = [r[::claim.period].tolist() for r in references]
+    references = [r.tolist() for r in track.at(-claim.before, -claim.before + periods * claim.period)]
     first = track.at(-1, -1)
     yaw = float(first[4][0])
-    quadrotor, controller = Quadrotor(claim, factors, wind), Controller(claim)
+    quadrotor, controller = Quadrotor(claim, factors, wind), claim.law.Controller(claim)
     s = [*first[0][0].tolist(), 0.0, 0.0, 0.0, math.cos(yaw / 2), 0.0, 0.0, math.sin(yaw / 2), 0.0, 0.0, 0.0, *[quadrotor.mass * GRAVITY / 4] * 4]
     states, places = [], []
-    for k in range(periods + 1):
-        controller.look(s, [r[k] for r in rows])
-        states.append(coordinates(s, controller, quadrotor))
-        places.append(s[:3])
-        for n in range(k * claim.period, (k + 1) * claim.period if k < periods else 0):
-            if gusts is not None:
-                quadrotor.wind = [w + g for w, g in zip(wind, gusts[n])]
-            s = quadrotor.stepped(s, controller.command(s))
-        quadrotor.wind = wind
-    return np.array(states), np.array(places)
+    for n in range(periods * claim.period + 1):
+        reference = [r[n] for r in references]
+        if n % claim.period == 0:
+            states.append([*controller.coordinates(s, quadrotor, reference), 0.0, 0.0, 0.0, *wind, *factors])
+            places.append(s[:3])
+        if n == periods * claim.period:
+            return np.array(states), np.array(places)
+        if gusts is not None:
+            quadrotor.wind = [w + g for w, g in zip(wind, gusts[n])]
+        s = quadrotor.stepped(s, controller.command(n, s, reference))

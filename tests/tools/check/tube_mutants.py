@@ -8,9 +8,8 @@ import copy
 import random
 
 NOT_NUMBERS = [None, True, "0.1", "NaN", [], {}, [1], float("nan"), float("inf"), float("-inf"), 1e400, 10**400]
-VEHICLE = ("mass", "torque_per_thrust", "motor_time_constant", "motor_least", "motor_most", "inertia", "arm", "drag")
 RANGES = ("mass_error", "drag_error", "motor_lag_error", "inertia_error")
-GAINS = ("position", "velocity", "attitude", "rates", "lead")
+CLIPS = ("position", "velocity", "rates")  # loops of the cascade
 
 
 def places(tree, path=()):
@@ -63,7 +62,8 @@ class Mutants:
         return f"{path} is {value!r:.20}", "refused" if path != ("cells", 0, "part") or value else "same"
 
     def key(self, record, certificate):
-        objects = [certificate, certificate["vehicle"], certificate["gains"], *certificate["cells"]]
+        gains = [g for g in certificate["gains"].values() if isinstance(g, dict)]
+        objects = [certificate, certificate["vehicle"], certificate["gains"], *gains, *certificate["cells"]]
         one = self.chance.choice(objects)
         key = self.chance.choice(list(one))
         if self.chance.random() < 0.5:
@@ -86,7 +86,7 @@ class Mutants:
 
     def bounds(self, record, certificate):
         cell = self.chance.choice(certificate["cells"])["bounds"]
-        row, column = self.chance.randrange(2, len(cell)), self.chance.randrange(25)
+        row, column = self.chance.randrange(2, len(cell)), self.chance.randrange(len(cell[0]))
         value = self.chance.choice([0, -cell[row][column], cell[row][column] * self.chance.uniform(0, 0.4)])
         cell[row][column] = value
         # A bound of nearly nothing may leave room: it is at least 1e-8.
@@ -154,8 +154,8 @@ class Mutants:
         return f"a cell is {part}", "refused"
 
     def vehicle(self, record, certificate):
-        name = self.chance.choice(VEHICLE)
         vehicle = certificate["vehicle"]
+        name = self.chance.choice(sorted(vehicle))
         by = self.chance.choice([factor(self.chance), 0, -1])
         if isinstance(vehicle[name], list):
             i = self.chance.randrange(len(vehicle[name]))
@@ -166,10 +166,33 @@ class Mutants:
         return f"{name} times {by}", "refused" if wrong else "asked"
 
     def gain(self, record, certificate):
-        name, i = self.chance.choice(GAINS), self.chance.randrange(3)
+        if certificate["controller"] == "cascade":
+            return self.cascade_gain(certificate["gains"])
+        name, i = self.chance.choice(sorted(certificate["gains"])), self.chance.randrange(3)
         by = self.chance.choice([factor(self.chance), 0, -1])
         certificate["gains"][name][i] *= by
         return f"gain {name} times {by}", "refused" if by < 0 or by == 0 and name == "position" else "asked"
+
+    def cascade_gain(self, gains):
+        lists = [p for p in places(gains) if isinstance(at(gains, p), list)]
+        kind, by = self.chance.randrange(4), self.chance.choice([factor(self.chance), 0, -1])
+        if kind == 0:
+            name = self.chance.choice(CLIPS)
+            gains[name]["clip"] = gains[name].get("clip", 1) * self.chance.choice([by, 10 ** self.chance.uniform(-3, 2)])
+            return f"clip of {name} is {gains[name]['clip']}", "refused" if gains[name]["clip"] <= 0 else "asked"
+        if kind == 1:
+            name = self.chance.choice(sorted(gains["feed_forward"]))
+            gains["feed_forward"][name] = self.chance.choice([0, by, -1, 2 * by, 1 + by])
+            found = gains["feed_forward"][name]
+            return f"feed_forward {name} is {found}", "asked" if 0 <= found <= 2 else "refused"
+        if kind == 2:
+            gains["tilt_max"] *= by
+            return f"tilt_max times {by}", "refused" if by <= 0 else "asked"
+        path, i = self.chance.choice(lists), self.chance.randrange(3)
+        at(gains, path)[i] = at(gains, path)[i] * by if at(gains, path)[i] else self.chance.choice([-1, 1]) * abs(by)
+        found = at(gains, path)[i]
+        wrong = found < 0 or found == 0 and path in (("position", "p"), ("velocity", "p")) or found and path in (("position", "i"), ("position", "d"))
+        return f"gain {path} {i} is {found}", "refused" if wrong else "asked"
 
     def disturbance(self, record, certificate):
         name = self.chance.choice([*RANGES, *RANGES, "wind_spread", "gust_most", "gust_lag", "wind", "hover", "settle", "attitude_period_ms"])
@@ -177,8 +200,9 @@ class Mutants:
             certificate["wind"][self.chance.randrange(3)] += self.chance.choice([-1, 1]) * 10 ** self.chance.uniform(-6, 1)
             return "wind", "asked"
         if name == "attitude_period_ms":
-            certificate[name] = self.chance.choice([0, 1, 2, 3, 5, 4.5, -4])
-            return f"period {certificate[name]}", "asked"
+            period = self.chance.choice([0, 1, 2, 3, 5, 4.5, -4])
+            certificate.update({key: period for key in certificate if key.endswith("_ms")})  # as --loop-period
+            return f"period {period}", "asked"
         if name in RANGES and certificate[name] == 0:
             certificate[name] = self.chance.choice([-1, 1, 1]) * 10 ** self.chance.uniform(-9, -0.3)
         else:

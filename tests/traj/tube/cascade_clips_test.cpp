@@ -16,6 +16,7 @@ CascadeLoop limited_loop() {
   CascadeLoop loop{options.quadrotor, options.gains, options.periods, {1, 0}};
   loop.gains.position.clip = 3;  // m/s
   loop.gains.velocity.clip = 4;  // m/s2
+  loop.gains.rates.clip = 50;    // rad/s2
   return loop;
 }
 
@@ -24,6 +25,7 @@ Step hover(const CascadeLoop& loop) {
   Step step;
   const double each = loop.model.mass * 9.80665 / 4;
   step.commands.assign(4, {each, each, each, each});
+  step.turns.resize(4);
   PositionRun<Model> run;
   run.millisecond = 2;
   run.lift.z = 9.80665;
@@ -65,6 +67,8 @@ TEST(CascadeClips, OfEachQuantityAreFound) {
        3e-3},
       {Kind::motor, loop.model.motor_least, [](Step& s) -> Model& { return s.commands[1][3]; },
        1e-3},
+      {Kind::turn, 50, [](Step& s) -> Model& { return s.turns[3].before.x; }, 3e-3},
+      {Kind::turn, -50, [](Step& s) -> Model& { return s.turns[0].spin.z; }, 0},
   };
   for (const Case& one : cases) {
     const double middle = one.of(*std::make_unique<Step>(hover(loop))).c;

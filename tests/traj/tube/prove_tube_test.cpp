@@ -206,6 +206,7 @@ TEST(ProveTube, SaysWhatTheCascadeMayClip) {
   expect_clip(Kind::lean, [](auto& o, double v) { o.gains.tilt_max = v; }, {0.7, 0.2});
   expect_clip(Kind::rates, [](auto& o, double v) { o.quadrotor.body_rate_max.setConstant(v); },
               {5, 0.5});
+  expect_clip(Kind::turn, [](auto& o, double v) { o.gains.rates.clip = v; }, {60, 5});
   expect_clip(Kind::motor, [](auto& o, double v) { o.quadrotor.motor_most = v; }, {8, 5.8});
 }
 

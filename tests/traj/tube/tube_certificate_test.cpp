@@ -10,11 +10,11 @@
 namespace traj {
 namespace {
 
-FlightOptions quad() {
+FlightOptions quad(ControlLaw law = ControlLaw::geometric) {
   const auto profile = vehicle_named("quad2kg");
   FlightOptions options{.quadrotor = *quadrotor_of(profile->airframe)};
   options.gains = *profile->airframe.gains;
-  options.law = ControlLaw::geometric;
+  options.law = law;
   options.hover = 0.2;
   options.settle = 0.1;
   return options;
@@ -50,42 +50,68 @@ TEST(TubeCertificate, SaysForWhatATubeWasProved) {
   // 0.2 s + 1.5 s + 0.1 s in periods of 4 ms, and one for the last step.
   EXPECT_EQ(periods, 1800 / 4 + 1);
   for (const auto& span : cell["bounds"]) {
-    ASSERT_EQ(span.size(), kSpanBounds);
+    ASSERT_EQ(span.size(), 25u);
     for (const double bound : span) EXPECT_GT(bound, 0);
   }
 }
 
+TEST(TubeCertificate, SaysWhichLimitsACascadeKeeps) {
+  const ReferenceTrack track(testing::line({0.5, 0.2, 0}, 1.5));
+  FlightOptions options = quad(ControlLaw::cascade);
+  options.gains.velocity.clip = 8;
+  const ProvedTube tube = with_room(prove_tube(track, options, kBreeze, {}, {.by_spans = true}));
+  ASSERT_FALSE(tube.trouble);
+  const nlohmann::json out =
+      nlohmann::json::parse(tube_certificate_line("a", geom::Axes::enu, {options, kBreeze}, tube));
+  EXPECT_EQ(out["controller"], "cascade");
+  EXPECT_EQ(out["position_period_ms"], options.periods.position);
+  EXPECT_EQ(out["vehicle"]["body_rate_max"][2], options.quadrotor.body_rate_max.z());
+  const nlohmann::json& gains = out["gains"];
+  EXPECT_EQ(gains["position"]["p"][0], options.gains.position.p.x());
+  EXPECT_EQ(gains["velocity"]["clip"], 8);
+  EXPECT_FALSE(gains["rates"].contains("clip")) << "it is never clipped";
+  EXPECT_EQ(gains["tilt_max"], options.gains.tilt_max);
+  int periods = 0;
+  for (const auto& span : out["cells"][0]["periods"]) periods += span.get<int>();
+  EXPECT_EQ(periods, 1800 / 4 + 1);
+  for (const auto& span : out["cells"][0]["bounds"]) EXPECT_EQ(span.size(), 34u);
+}
+
 TEST(TubeCertificate, HasRoomForACheckerThatSumsOtherwise) {
   const ReferenceTrack track(testing::line({0.5, 0.2, 0}, 1.5));
-  const ProvedTube plain = prove_tube(track, quad(), kBreeze, {});
-  const ProvedTube spans = prove_tube(track, quad(), kBreeze, {}, {.by_spans = true});
-  ASSERT_FALSE(spans.trouble);
-  const ProvedTube roomy = with_room(spans);
-  ASSERT_EQ(roomy.radius.size(), plain.radius.size());
-  for (std::size_t k = 0; k < plain.radius.size(); ++k) {
-    EXPECT_GE(spans.radius[k], plain.radius[k]) << "bounds of spans are not below those of periods";
-    EXPECT_GE(roomy.radius[k], 1.015 * spans.radius[k]);
-    EXPECT_LE(roomy.radius[k], 1.03 * plain.radius[k]);
+  for (const ControlLaw law : {ControlLaw::geometric, ControlLaw::cascade}) {
+    const ProvedTube plain = prove_tube(track, quad(law), kBreeze, {});
+    const ProvedTube spans = prove_tube(track, quad(law), kBreeze, {}, {.by_spans = true});
+    ASSERT_FALSE(spans.trouble);
+    const ProvedTube roomy = with_room(spans);
+    ASSERT_EQ(roomy.radius.size(), plain.radius.size());
+    for (std::size_t k = 0; k < plain.radius.size(); ++k) {
+      EXPECT_GE(spans.radius[k], plain.radius[k]) << "bounds of spans are not below those of periods";
+      EXPECT_GE(roomy.radius[k], 1.015 * spans.radius[k]);
+      EXPECT_LE(roomy.radius[k], 1.03 * plain.radius[k]);
+    }
+    EXPECT_EQ(roomy.largest, *std::max_element(roomy.radius.begin(), roomy.radius.end()));
+    EXPECT_GT(roomy.tilt, spans.tilt);
   }
-  EXPECT_EQ(roomy.largest, *std::max_element(roomy.radius.begin(), roomy.radius.end()));
-  EXPECT_GT(roomy.tilt, spans.tilt);
 }
 
 // Bounds are settled span by span, so the time for them grows like the flight: what comes later
 // changes nothing.
 TEST(TubeCertificate, HasBoundsThatWhatComesLaterDoesNotChange) {
   const ReferenceTrack track(testing::line({0.5, 0.2, 0}, 1.5));
-  FlightOptions options = quad();
-  const auto spans = [&](double settle) {
-    options.settle = settle;
-    return prove_tube(track, options, kBreeze, {}, {.by_spans = true}).proofs.at(0).spans;
-  };
-  const std::vector<SpanBounds> shorter = spans(0.1);
-  const std::vector<SpanBounds> longer = spans(0.6);
-  ASSERT_GT(longer.size(), shorter.size());
-  for (std::size_t k = 0; k + 1 < shorter.size(); ++k) {  // the end cuts the last one
-    EXPECT_EQ(shorter[k].periods, longer[k].periods);
-    EXPECT_EQ(shorter[k].bounds, longer[k].bounds);
+  for (const ControlLaw law : {ControlLaw::geometric, ControlLaw::cascade}) {
+    FlightOptions options = quad(law);
+    const auto spans = [&](double settle) {
+      options.settle = settle;
+      return prove_tube(track, options, kBreeze, {}, {.by_spans = true}).proofs.at(0).spans;
+    };
+    const std::vector<SpanBounds> shorter = spans(0.1);
+    const std::vector<SpanBounds> longer = spans(0.6);
+    ASSERT_GT(longer.size(), shorter.size());
+    for (std::size_t k = 0; k + 1 < shorter.size(); ++k) {  // the end cuts the last one
+      EXPECT_EQ(shorter[k].periods, longer[k].periods);
+      EXPECT_EQ(shorter[k].bounds, longer[k].bounds);
+    }
   }
 }
 

@@ -13,7 +13,6 @@
 //
 // docs/tube.md states the model and derives the bounds.
 
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -43,7 +42,8 @@ struct Disturbances {
 
 // Why nothing is proved. Under the cascade a command may be clipped: the velocity that the position
 // loop wants, the acceleration that the velocity loop wants, the lift, its horizontal part by the
-// largest tilt (lean), or the rates that the attitude loop wants.
+// largest tilt (lean), the rates that the attitude loop wants, or the angular acceleration that the
+// rate loop wants (turn).
 struct TubeTrouble {
   enum class Kind {
     motor,
@@ -54,14 +54,15 @@ struct TubeTrouble {
     acceleration,
     lift,
     lean,
-    rates
+    rates,
+    turn
   } kind = Kind::motor;
   int motor = 0;    // 1 to 4: the command of this motor may leave its range,
   double time = 0;  // s, from the trajectory's start: then,
-  double room = 0;  // N, m/s, m/s2 or rad/s, <= 0: by as much as this
+  double room = 0;  // N, m/s, m/s2, rad/s or rad/s2, <= 0: by as much as this
 };
 
-inline constexpr geom::Words<TubeTrouble::Kind, 9> kTubeTroubleWords{{
+inline constexpr geom::Words<TubeTrouble::Kind, 10> kTubeTroubleWords{{
     {TubeTrouble::Kind::motor, "motor"},
     {TubeTrouble::Kind::tilt, "tilt"},
     {TubeTrouble::Kind::unstable, "unstable"},
@@ -71,16 +72,17 @@ inline constexpr geom::Words<TubeTrouble::Kind, 9> kTubeTroubleWords{{
     {TubeTrouble::Kind::lift, "lift"},
     {TubeTrouble::Kind::lean, "lean"},
     {TubeTrouble::Kind::rates, "rates"},
+    {TubeTrouble::Kind::turn, "turn"},
 }};
 
 // Periods of the attitude loop, one after the other, and bounds on how far the state is from the
-// nominal flight of a cell in them, in the order of docs/tube.md: lift, velocity, lag, heading,
-// rates, spin, filtered, turned, and the acceleration that lift and drag give together (without
-// drag: the gust).
-inline constexpr int kSpanBounds = 25;
+// nominal flight of a cell in them, in the order of docs/tube.md. Geometric controller: lift,
+// velocity, lag, heading, rates, spin, filtered, turned. Cascade: lift, velocity, tilt (x and y),
+// missing, heading, rates, spin, filtered, integral, missed, slope, due. Last stands the
+// acceleration that lift and drag give together (without drag: the gust).
 struct SpanBounds {
   int periods = 0;
-  std::array<double, kSpanBounds> bounds{};
+  std::vector<double> bounds;
 };
 
 // A part of the winds and masses, and the bounds that its proof used.
@@ -103,9 +105,7 @@ struct ProvedTube {
 
 struct TubeOptions {
   std::size_t most_cells = 64;  // >= 1: a proof that takes more is given up
-  // For a certificate of a flight under the geometric controller: `proofs` have bounds that a
-  // checker finds again.
-  bool by_spans = false;
+  bool by_spans = false;  // for a certificate: `proofs` have bounds that a checker finds again
 };
 
 // At every step of a millisecond, for all winds, gusts and vehicles that are allowed, the vehicle

@@ -1,0 +1,152 @@
+"""The geometric controller (Lee, Leok and McClamroch 2010): its state, a flight's commands, and a period of its loop in Taylor models."""
+
+import math
+
+import numpy as np
+
+from tube_flight import FILTER_SHARE, GRAVITY, STEP, Rows, attitude_along, body_axes, motors_for, rates_along
+from tube_models import cosine, cross, dot, inverse, minus, plus, scaled, sine, times
+from tube_period import Body, Frame, FrameChange, Plant, motor_limits
+
+ROWS = Rows(lift=3, velocity=3, lag=3, heading=1, rates=3, spin=3, filtered=3, turned=3)
+SPINS = slice(ROWS.spin, ROWS.turned)  # angular accelerations
+WHOLE = 2  # blocks of which all is kept, before they grow old
+
+
+def named(period):
+    """Errors that a period names, in groups of three kinds each: those of the torques."""
+    return [3 * period]
+
+
+def groups(claim, periods):
+    """The periods in which the loops run alike."""
+    return [periods]
+
+
+def place_forms(claim):
+    """The place in linear forms of the state, all as deviations."""
+    forms = np.zeros((3, ROWS.states))
+    for i in range(3):
+        forms[i, [ROWS.lift + i, ROWS.velocity + i]] = -1 / claim.position[i], -claim.velocity[i] / claim.position[i]
+    return forms
+
+
+def slow_forms(claim, maps, yaw):
+    """What is slow: lift, velocity and heading."""
+    return np.eye(ROWS.states)[[0, 1, 2, 3, 4, 5, ROWS.heading]]
+
+
+class Controller:
+    """What of it stays from one step to the next."""
+
+    def __init__(self, claim):
+        self.claim = claim
+        self.filtered, self.last_rates = [0.0] * 3, [0.0] * 3
+
+    def look(self, s, reference):
+        """The attitude loop runs."""
+        p, v, a, jerk, yaw, yaw_rate = reference
+        kp, kv = self.claim.position, self.claim.velocity
+        self.lift = [kp[i] * (p[i] - s[i]) + kv[i] * (v[i] - s[3 + i]) + a[i] + (GRAVITY if i == 2 else 0.0) for i in range(3)]
+        self.wanted = attitude_along(self.lift, yaw)
+        self.rates = rates_along(self.wanted, math.sqrt(dot(self.lift, self.lift)), jerk, yaw, yaw_rate)
+
+    def command(self, n, s, reference):
+        """The motors' commands in a step, not clipped."""
+        claim, w = self.claim, s[10:13]
+        if n % claim.period == 0:
+            self.look(s, reference)
+        body = body_axes(s[6:10])
+        towards = [[dot(b, a) for a in self.wanted] for b in body]  # body . wanted
+        error = [0.5 * (dot(self.wanted[j], body[k]) - dot(self.wanted[k], body[j])) for j, k in ((2, 1), (0, 2), (1, 0))]
+        follow = [dot(row, self.rates) for row in towards]
+        for i in range(3):
+            self.filtered[i] += FILTER_SHARE * ((w[i] - self.last_rates[i]) / STEP - self.filtered[i])
+        self.last_rates = list(w)
+        spin = [-claim.attitude[i] * error[i] - claim.rates[i] * (w[i] - follow[i]) - claim.lead[i] * self.filtered[i] for i in range(3)]
+        inertia = claim.inertia
+        turn, carried = cross(w, scaled(inertia, w)), cross(w, follow)
+        torque = [inertia[i] * (spin[i] - carried[i]) + turn[i] for i in range(3)]
+        return motors_for(claim, claim.mass * dot(self.lift, body[2]), torque)
+
+    def coordinates(self, s, quadrotor, reference):
+        """The state as docs/tube.md describes it, up to the gust, when the attitude loop has run."""
+        claim = self.claim
+        self.look(s, reference)
+        body = body_axes(s[6:10])
+        force = sum(s[13:17]) / claim.mass
+        seen = [[dot(axis, b) for axis in self.wanted] for b in body]  # each axis of the body in the wanted frame
+        size = math.sqrt(dot(self.lift, self.lift))
+        lag = [-force * seen[2][0], -force * seen[2][1], size - force * seen[2][2]]
+        torque = quadrotor.torque(s[13:17])
+        return [*self.lift, *s[3:6], *lag, math.atan2(seen[0][1], seen[0][0]), *s[10:13],
+                *(torque[i] / claim.inertia[i] for i in range(3)), *self.filtered, *(s[10 + i] - self.last_rates[i] for i in range(3))]
+
+
+class Period(Plant):
+    def start(self):
+        super().start()
+        self.body = Body(**self.body_parts(), lag=self.three(ROWS.lag), missing=self.zero(), turned=self.three(ROWS.turned))
+
+    def want(self):
+        """The wanted frame and body rates."""
+        _, _, _, jerk, yaw, yaw_rate = self.reference(0)
+        jerk = [jerk[:, i] for i in range(3)]
+        self.wanted = w = Frame.along(self.lift, np.sin(yaw), np.cos(yaw))
+        along = dot(w.z, jerk)
+        dz = times(inverse(w.size), [jerk[i] - along * w.z[i] for i in range(3)])
+        across = plus(times(-yaw_rate, w.ahead(w.z)), w.left(dz))
+        self.wanted_rates = [-dot(dz, w.y), dot(dz, w.x), dot(across, w.y) * inverse(w.across)]
+
+    def frame(self, body):
+        """The body's, seen from the wanted one."""
+        return Frame.along([-body.lag[0], -body.lag[1], self.wanted.size - body.lag[2]], sine(body.heading), cosine(body.heading))
+
+    def slope(self, body, wind):
+        frame = self.frame(body)
+        parts, z = self.motion(body, frame, body.lag, wind)
+        lacks = self.lag * body.missing
+        return Body(**parts, lag=[-(lacks * frame.z[i]) - frame.size * z[i] for i in range(3)], missing=-lacks)
+
+    def attitude_error(self, frame):
+        dx = [1.0 - frame.x[0], -frame.x[1], -frame.x[2]]
+        dz = [-frame.z[0], -frame.z[1], 1.0 - frame.z[2]]
+        second, shrink, lag = cross(dz, dx), inverse(self.wanted.size), self.body.lag
+        return [shrink * dot(frame.y, lag) - 0.5 * dot(frame.z, second), -(shrink * dot(frame.x, lag)) - 0.5 * dot(dz, dx),
+                0.5 * dot(frame.x, second) - frame.y[0]]
+
+    def command(self, millisecond):
+        """What thrust and torque the motors are told; the second-order terms of the torque become symbols."""
+        claim, body = self.claim, self.body
+        frame = self.frame(body)
+        error = self.attitude_error(frame)
+        follow = [dot(axis, self.wanted_rates) for axis in (frame.x, frame.y, frame.z)]
+        self.filtered = [(1 - FILTER_SHARE) * f + (FILTER_SHARE / STEP) * t for f, t in zip(self.filtered, body.turned)]
+        body.turned = [self.zero() for _ in range(3)]
+        body.missing = dot(body.lag, frame.z)
+        turn, carried = self.gyroscopic(body.rates), cross(body.rates, follow)
+        self.asked = []
+        for i in range(3):
+            spin = turn[i] - claim.attitude[i] * error[i] - claim.rates[i] * (body.rates[i] - follow[i]) - claim.lead[i] * self.filtered[i]
+            self.asked.append(self.named(spin - carried[i], 3 * millisecond + i))
+        self.commands.append(self.motors(self.wanted.size * frame.z[2]))
+
+    def run(self):
+        claim = self.claim
+        self.want()
+        for millisecond in range(claim.period):
+            self.command(millisecond)
+            self.move(millisecond)
+        now, then = self.reference(0), self.reference(claim.period)
+        p, v, a = (then[k] - now[k] for k in range(3))
+        faster = minus(self.body.velocity, self.velocity)
+        change = [claim.position[i] * p[:, i] + claim.velocity[i] * v[:, i] + a[:, i]
+                  - (claim.position[i] * self.body.moved[i] + claim.velocity[i] * faster[i]) for i in range(3)]
+        body = self.body
+        turn = FrameChange(self.wanted, change, now[4], then[4])
+        lag = plus(body.lag, turn.lift)
+        self.after = [*plus(self.lift, change), *body.velocity, *plus(lag, [dot(d, lag) for d in (turn.x, turn.y, turn.z)]),
+                      turn.heading(body.heading, self.frame(body).x), *body.rates, *body.spin, *self.filtered, *body.turned, *self.gust_after()]
+
+    def limits(self):
+        return motor_limits(self.claim, self.commands)
