@@ -62,8 +62,8 @@ class CellProof {
     }
   }
 
-  // By how much more a checker may find of a quantity.
-  double checkers_room() const { return cell_.by_spans ? kCheckersRoom : 1; }
+  // By how much more a checker may find of what has a limit.
+  double checkers_room() const { return cell_.by_spans ? kLimitRoom : 1; }
 
   static Model lightness_of(const TubeCell& cell) {
     return Model::inverse_of(cell.mass_least, cell.mass_most, Rows::kLightness);
@@ -233,7 +233,7 @@ class CellProof {
       held.intervals.conservativeResize(Eigen::NoChange, kHeld + 3);
       held.intervals.template rightCols<3>() = wind;
     }
-    return ErrorSetOf<Rows>(std::move(held), box, period_);
+    return ErrorSetOf<Rows>(std::move(held), box);
   }
 
   // At rest the motors hold the true weight, or as much of it as they can.

@@ -7,8 +7,8 @@
 namespace traj {
 namespace {
 
-constexpr int kGusts = 20;           // ms whose gusts are added up
-constexpr std::size_t kJoined = 5;   // of those, 0.1 s
+constexpr int kJoined = 25;          // periods, 0.1 s
+constexpr int kGusts = 5;            // periods whose gusts are added up, 20 ms
 constexpr std::size_t kBatches = 5;  // 0.5 s
 constexpr double kUp = 1 + 1e-12;    // above the rounding of sums of thousands of terms
 
@@ -144,9 +144,11 @@ double stretch(const Eigen::Matrix3d& k) {
 }  // namespace
 
 template <class Rows>
-ErrorSetOf<Rows>::ErrorSetOf(Terms held, const Vector& box, int period)
-    : gusts_((kGusts + period - 1) / period), held_(std::move(held)) {
-  oldest_.push_back({ErrorColumnsOf<Rows>(Rows::kPadded, 0), Joining<Rows>::box_columns(box)});
+ErrorSetOf<Rows>::ErrorSetOf(Terms held, const Vector& box) : held_(std::move(held)) {
+  Vector changing = box;
+  changing.tail(Rows::kPadded - Rows::kWind).setZero();
+  Joining<Rows>::append(held_.intervals, Joining<Rows>::box_columns(box - changing));
+  oldest_.push_back({ErrorColumnsOf<Rows>(Rows::kPadded, 0), Joining<Rows>::box_columns(changing)});
 }
 
 template <class Rows>
@@ -157,19 +159,23 @@ ErrorColumnsOf<Rows> ErrorSetOf<Rows>::around(const ErrorColumnsOf<Rows>& column
 
 template <class Rows>
 void ErrorSetOf<Rows>::advance(const Matrix& map, const PeriodErrorsOf<Rows>& added) {
-  const auto move = [&](Terms& terms) {
-    terms.balls = (map * terms.balls).eval();
-    terms.intervals = (map * terms.intervals).eval();
+  held_.balls = (map * held_.balls).eval();
+  held_.intervals = (map * held_.intervals).eval();
+  // No other term has a share of what does not change.
+  using Changing = Eigen::Matrix<double, Rows::kWind, Rows::kWind>;
+  const Changing changing = map.template topLeftCorner<Rows::kWind, Rows::kWind>();
+  const auto move = [&](ErrorColumnsOf<Rows>& columns) {
+    auto rows = columns.template topRows<Rows::kWind>();
+    rows = (changing * rows).eval();
   };
-  move(held_);
   for (auto* level : {&periods_, &joined_, &old_, &oldest_}) {
-    for (Terms& terms : *level) move(terms);
+    for (Terms& terms : *level) move(terms.balls), move(terms.intervals);
   }
   Terms terms{added.gust, ErrorColumnsOf<Rows>::Zero(Rows::kPadded, Joining<Rows>::kColumns)};
   terms.intervals.template leftCols<Rows::kNamed>() = added.named;
   for (int i = 0; i < Rows::kWind; ++i) terms.intervals(i, Rows::kNamed + i) = added.box[i];
   periods_.push_back(std::move(terms));
-  if (periods_.size() >= 2 * kJoined * gusts_) join_periods();
+  if (periods_.size() >= 2 * kJoined) join_periods();
   if (joined_.size() >= 2 * kBatches) join_batches();
   if (old_.size() >= 2 * Rows::kOldest) box_old();
 }
@@ -179,9 +185,9 @@ void ErrorSetOf<Rows>::join_periods() {
   Terms joined;
   ErrorColumnsOf<Rows> columns(Rows::kPadded, 0);
   ErrorColumnsOf<Rows> rest(Rows::kPadded, 0);
-  for (std::size_t part = 0; part < kJoined; ++part) {
+  for (int from = 0; from < kJoined; from += kGusts) {
     ErrorColumnsOf<Rows> balls(Rows::kPadded, 0);
-    for (std::size_t k = 0; k < gusts_; ++k) {
+    for (int k = 0; k < kGusts; ++k) {
       Joining<Rows>::append(balls, periods_.front().balls);
       Joining<Rows>::append(columns, periods_.front().intervals);
       periods_.pop_front();

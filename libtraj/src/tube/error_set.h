@@ -45,8 +45,8 @@ class ErrorSetOf {
   using Terms = ErrorTermsOf<Rows>;
 
   // `held` never changes: what the mean wind and the mass do. `box` is what is not known at the
-  // start. Terms grow fewer after 0.1 s, whatever a period of so many milliseconds is.
-  ErrorSetOf(Terms held, const Vector& box, int period = kLongestPeriod);
+  // start.
+  ErrorSetOf(Terms held, const Vector& box);
 
   // What boxes are taken along from now on, in place of the slow coordinates: linear forms that the
   // loop hardly mixes, a row each.
@@ -79,10 +79,9 @@ class ErrorSetOf {
   ErrorColumnsOf<Rows> around(const ErrorColumnsOf<Rows>& columns) const;
 
   Forms forms_ = Forms(0, Rows::kPadded);
-  std::size_t gusts_;  // periods whose gusts are added up
   Terms held_;
   std::deque<Terms> periods_;  // the newest, one each
-  std::deque<Terms> joined_;   // kJoined times gusts_ periods each
+  std::deque<Terms> joined_;   // kJoined periods each
   std::deque<Terms> old_;      // kBatches of those each
   std::deque<Terms> oldest_;   // boxes
 };

@@ -26,8 +26,10 @@ struct TubeCell {
 inline constexpr double kSlack = 1e-9;
 inline constexpr double kSpinSlack = 1e-7;  // of angular accelerations, which are larger numbers
 
-// A checker of a certificate sums otherwise, and may find so much more than the proof.
+// A checker of a certificate sums otherwise, and may find so much more than the proof: of radii and
+// tilt, and of what has a limit (motors are fast, and sums of what is fast differ most).
 inline constexpr double kCheckersRoom = 1.015;
+inline constexpr double kLimitRoom = 1.05;
 
 struct CellTube {
   std::vector<double> radius;          // m, of each kTubePeriod

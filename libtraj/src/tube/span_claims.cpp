@@ -8,8 +8,8 @@ namespace {
 
 // Checkers sum otherwise, and need room. What is claimed enters the remainders, so that too much
 // room makes deviations larger.
-constexpr double kLeastRoom = 1.03;
-constexpr double kRoom = 1.04;
+constexpr double kLeastRoom = 1.05;
+constexpr double kRoom = 1.06;
 constexpr int kTries = 4;
 constexpr int kMostPeriods = 25;
 // A span whose deviations grow or shrink by more than the first is followed by a shorter one, and

@@ -51,9 +51,8 @@ class Claim:
     """The vehicle, its controller and what may disturb it, as the certificate says."""
 
     def __init__(self, certificate):
-        name = text(certificate, "controller", "the certificate")
-        require(name in LAWS, f"controller must be geometric or cascade, found {name!a}")
-        self.law = LAWS[name]
+        self.controller = text(certificate, "controller", "the certificate")
+        require(self.controller in LAWS, f"controller must be geometric or cascade, found {self.controller!a}")
         is_cascade = self.law is tube_cascade
         c = keys_of(certificate, (*CLAIM, "position_period_ms") if is_cascade else CLAIM, "the certificate")
         self.read_vehicle(keys_of(c["vehicle"], (*VEHICLE, "body_rate_max") if is_cascade else VEHICLE, "the vehicle"))
@@ -78,6 +77,10 @@ class Claim:
         require(number(c["period"], "period") == 0.1, "period must be 0.1")
         self.tilt = number(c["tilt"], "tilt", 0, math.pi)
         self.radius = [number(r, f"radius[{i}]", 0) for i, r in enumerate(entries(c["radius"], "radius"))]
+
+    @property
+    def law(self):
+        return LAWS[self.controller]
 
     def read_vehicle(self, vehicle):
         for name in ("mass", "torque_per_thrust", "motor_time_constant"):

@@ -10,8 +10,8 @@ from tube_models import ROUNDING
 
 SLACK = 1e-9  # by so much the simulator may differ from the equations in each coordinate and period,
 SPIN_SLACK = 1e-7  # but in angular accelerations by so much, which are larger numbers
-JOINED = 20  # ms whose gusts are added up
-BLOCK = 5  # of those, whose disturbances grow old together
+BLOCK = 25  # periods whose disturbances grow old together
+JOINED = 5  # periods whose gusts are added up
 AGED = 10  # blocks, then what they did is joined
 OLD = 4  # of those, then it becomes a box
 KEPT = 100  # columns of those that grow old
@@ -38,16 +38,6 @@ def rows_of(claim):
     return forms
 
 
-def joined(claim):
-    """Periods whose gusts are added up."""
-    return -(-JOINED // claim.period)
-
-
-def block(claim):
-    """Periods whose disturbances grow old together."""
-    return BLOCK * joined(claim)
-
-
 def ball_norms(images):
     """Of images (..., 3 n) of n balls: the sum of their lengths."""
     return lengths(images).sum(-1)
@@ -72,7 +62,8 @@ def stretches(images):
 
 
 class Terms:
-    """Deviations as a sum: columns times numbers in [-1, 1], and threes of columns times vectors of length at most 1."""
+    """Deviations as a sum: columns times numbers in [-1, 1], and threes of columns times vectors of length at most 1. Columns may leave out the last
+    rows of the state, which are then 0."""
 
     def __init__(self, intervals, balls):
         self.intervals, self.balls = intervals, balls
@@ -82,7 +73,8 @@ class Terms:
         return Terms(np.hstack([t.intervals for t in terms]), np.hstack([t.balls for t in terms]))
 
     def moved(self, matrix):
-        return Terms(matrix @ self.intervals, matrix @ self.balls)
+        rows = len(self.intervals)
+        return Terms(matrix[:rows, :rows] @ self.intervals, matrix[:rows, :rows] @ self.balls)
 
     def sizes(self):
         """Of each row, at most: the sum of all columns."""
@@ -90,13 +82,14 @@ class Terms:
 
     def bounds(self, forms):
         """Of linear forms (..., states)."""
-        shape, forms = forms.shape[:-1], np.ascontiguousarray(forms.reshape(-1, forms.shape[-1]))
+        shape, forms = forms.shape[:-1], np.ascontiguousarray(forms.reshape(-1, forms.shape[-1])[:, :len(self.intervals)])
         rounding = ROUNDING * (np.abs(forms) @ self.sizes())
         out = (np.abs(forms @ self.intervals).sum(-1) + ball_norms(forms @ self.balls)) * UP + rounding
         return out.reshape(shape)
 
     def reach(self, forms):
         """Of forms (..., 3, states): what intervals do along each axis, and how far balls reach."""
+        forms = forms[..., :len(self.intervals)]
         rounding = ROUNDING * (np.abs(forms) @ self.sizes())
         return np.abs(forms @ self.intervals).sum(-1) * UP + rounding, ball_reach(forms @ self.balls) * UP
 
@@ -115,21 +108,21 @@ class Deviations:
         vehicle = np.zeros((self.states, self.states - rows.lightness))  # masses first
         vehicle[rows.lightness:] = np.diag(halves)
         vehicle[LACKS, 0] = GRAVITY / lightness**2 * lightness_half
-        none = np.zeros((self.states, 0))
-        self.held = Terms(vehicle, held) if cell.is_ball else Terms(np.hstack([held, vehicle]), none)
+        self.held = Terms(vehicle, held) if cell.is_ball else Terms(np.hstack([held, vehicle]), np.zeros((self.states, 0)))
         start = np.zeros(self.states)
         start[LACKS] = GRAVITY * lightness_half**2 / (lightness - lightness_half) ** 3 * UP + SLACK
         start[:self.changing] += slacks(self.law)
-        self.tail = Terms(np.diag(start), none)
+        self.none = np.zeros((self.changing, 0))
+        self.tail = Terms(np.diag(start[:self.changing]), self.none)
         self.recent, self.aged, self.old = [], [], []
-        self.gust = np.zeros((self.states, 3))
+        self.gust = np.zeros((self.changing, 3))
         self.gust[rows.gust:rows.gust + 3] = np.eye(3) * (1 - claim.gust_kept(claim.period)) * claim.gust_most * UP
         self.forms = rows_of(claim)
-        self.slow = np.zeros((0, self.states))
+        self.slow = np.zeros((0, self.changing))
 
     def box_along(self, forms):
         """What is slow, which what is fast soon follows: linear forms that boxes are taken along from now on."""
-        self.slow = forms
+        self.slow = forms[:, :self.changing]
 
     def parts(self):
         return self.held, self.now
@@ -142,13 +135,10 @@ class Deviations:
         for m in maps:
             self.lost.append(np.abs(m) @ (self.lost[-1] + ROUNDING * (np.abs(self.products[-1]) @ sizes)))
             self.products.append(m @ self.products[-1])
-        none = np.zeros((self.states, 0))
-        self.own = [Terms(none, none)]  # of this block, at the start of each period and at the end
+        self.own = [Terms(self.none, self.none)]  # of this block, at the start of each period and at the end
         for j, m in enumerate(maps):
-            now, width = self.own[-1], named.shape[2]
-            fresh = np.zeros((self.states, width + self.changing))
-            fresh[:self.changing, :width] = named[j]
-            fresh[:self.changing, width:] = np.diag(box[j] + ROUNDING * (np.abs(m) @ now.sizes())[:self.changing])
+            now, size = self.own[-1], self.changing
+            fresh = np.hstack([named[j], np.diag(box[j] + ROUNDING * (np.abs(m[:size, :size]) @ now.sizes()))])
             moved = now.moved(m)
             self.own.append(Terms(np.hstack([moved.intervals, fresh]), np.hstack([moved.balls, self.gust])))
 
@@ -172,11 +162,11 @@ class Deviations:
         bounds, across, reach = np.zeros((len(self.own) - 1, len(self.forms))), np.zeros((len(self.own) - 1, 3)), np.zeros(len(self.own) - 1)
         if len(self.own) > 2:
             some = self.own[1:-1]  # nothing has been added at the start of the block
-            whole = Terms.all(some)
+            whole, forms = Terms.all(some), self.forms[:, :self.changing]
             at, ball_at = (np.cumsum([0, *widths[:-1]]) for widths in zip(*((t.intervals.shape[1], t.balls.shape[1] // 3) for t in some)))
-            sums = np.add.reduceat(np.abs(self.forms @ whole.intervals), at, axis=1).T * UP
-            balls = self.forms @ whole.balls
-            rounding = ROUNDING * (np.array([t.sizes() for t in some]) @ np.abs(self.forms).T)
+            sums = np.add.reduceat(np.abs(forms @ whole.intervals), at, axis=1).T * UP
+            balls = forms @ whole.balls
+            rounding = ROUNDING * (np.array([t.sizes() for t in some]) @ np.abs(forms).T)
             bounds[1:] = sums + np.add.reduceat(lengths(balls), ball_at, axis=1).T * UP + rounding
             across[1:] = sums[:, self.changing:] + rounding[:, self.changing:]
             reach[1:] = np.add.reduceat(stretches(balls[self.changing:]), ball_at) * UP
@@ -195,25 +185,27 @@ class Deviations:
     def end(self):
         """To the start of the next block."""
         through = self.products[-1]
-        lost = self.lost[-1] + ROUNDING * (np.abs(through) @ sum(part.sizes() for part in self.parts()))
+        sizes = self.held.sizes()
+        sizes[:self.changing] += self.now.sizes()
+        lost = self.lost[-1] + ROUNDING * (np.abs(through) @ sizes)
         self.held, self.tail = (part.moved(through) for part in (self.held, self.tail))
         self.old, self.aged, self.recent = ([part.moved(through) for part in parts] for parts in (self.old, self.aged, self.recent))
-        self.own[-1].intervals[:self.changing, -self.changing:] += np.diag(lost[:self.changing])
+        self.own[-1].intervals[:, -self.changing:] += np.diag(lost[:self.changing])
         self.recent.append(self.own[-1])
         if len(self.recent) > self.law.WHOLE:
             self.age(self.recent.pop(0))
 
     def age(self, old):
         """Adds up errors of a kind over the periods of a block. Few columns hold how they differ from their mean."""
-        balls, rest = added_up(old.balls, joined(self.claim))
-        columns = old.intervals.reshape(self.states, block(self.claim), -1)
+        balls, rest = added_up(old.balls, JOINED)
+        columns = old.intervals.reshape(self.changing, BLOCK, -1)
         kinds, at = [], 0
         for width in self.law.named(self.claim.period):
-            kinds.append(columns[:, :, at:at + width].reshape(self.states, -1, 3))
+            kinds.append(columns[:, :, at:at + width].reshape(self.changing, -1, 3))
             at += width
         kinds.append(columns[:, :, at:])
         means = [kind.mean(1, keepdims=True) for kind in kinds]
-        rest = [rest, *((kind - middle).reshape(self.states, -1) for kind, middle in zip(kinds, means))]
+        rest = [rest, *((kind - middle).reshape(self.changing, -1) for kind, middle in zip(kinds, means))]
         sums = [middle[:, 0] * kind.shape[1] for kind, middle in zip(kinds, means)]
         around = around_along(self.slow, np.hstack(rest), ROUNDING * old.sizes())
         self.aged.append(Terms(np.hstack([*sums, around]), balls))
@@ -224,7 +216,7 @@ class Deviations:
         if len(self.old) == 2 * OLD:
             oldest = Terms.all([self.tail, *self.old[:OLD]])
             columns = np.hstack([oldest.intervals, oldest.balls])
-            self.tail = Terms(fewer_along(self.slow, columns, np.zeros(self.states)), np.zeros((self.states, 0)))
+            self.tail = Terms(fewer_along(self.slow, columns, np.zeros(self.changing)), self.none)
             del self.old[:OLD]
 
 

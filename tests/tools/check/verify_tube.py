@@ -9,6 +9,8 @@ should be, or NumPy is not there. docs/certificates.md says what is checked, and
 
 import json
 import math
+import multiprocessing
+import os
 import sys
 
 try:
@@ -18,13 +20,13 @@ except ImportError:
     sys.exit(3)
 
 from tube_claim import Claim, cells_of, track_of
-from tube_deviations import SLACK, UP, Deviations, block, slacks
+from tube_deviations import BLOCK, SLACK, UP, Deviations, slacks
 from tube_flight import GRAVITY, STEP, fly
 from tube_models import ROUNDING, SidewaysError
 from verify_certificate import Refused, by_id, require, run_main
 
 LEAST_SCALE = 1e-9  # of a symbol: slopes are needed of coordinates that do not vary, too
-CHUNK = 20  # blocks whose maps are worked out together
+CHUNK = 500  # periods whose maps are worked out together, whole blocks
 
 
 # ---- A cell.
@@ -58,16 +60,15 @@ class CellProof:
         self.states, self.places = fly(claim, self.track, self.wind, self.factors, self.count)
         self.references = self.track.at(-claim.before, (self.count + 1) * claim.period - claim.before)
         deviations = Deviations(claim, self.cell)
-        size = CHUNK * block(claim)
-        for first in range(0, self.count, size):
-            self.follow_chunk(first, min(first + size, self.count), deviations)
+        for first in range(0, self.count, CHUNK):
+            self.follow_chunk(first, min(first + CHUNK, self.count), deviations)
 
     def follow_chunk(self, first, last, deviations):
         chunk = Chunk(self, first, last)
         if first == 0:
             deviations.box_along(self.claim.law.slow_forms(self.claim, chunk.maps, float(self.references[4][0])))
-        for begin in range(first, last, block(self.claim)):
-            periods = np.arange(begin, min(begin + block(self.claim), last))
+        for begin in range(first, last, BLOCK):
+            periods = np.arange(begin, min(begin + BLOCK, last))
             deviations.begin(*(each[periods - first] for each in (chunk.maps, chunk.named, chunk.box)))
             bounds, reach = deviations.bounds()
             self.require_bounds(begin, bounds)
@@ -191,6 +192,19 @@ class Limits:
             require(np.all(room > 0), f"{what} at {proof.instant(self.periods[at[worst]]):.3f} s, by {-room[worst]:.4g}")
 
 
+def follow(claim, track, cell):
+    with np.errstate(all="ignore"):  # what is not finite is within no bound
+        CellProof(claim, track, cell).follow()
+
+
+def follow_all(claim, track, cells):
+    """On all cores, if there are several cells."""
+    if len(cells) == 1:
+        return follow(claim, track, cells[0])
+    with multiprocessing.get_context("fork").Pool(min(len(cells), os.cpu_count() or 1)) as pool:
+        return pool.starmap(follow, [(claim, track, cell) for cell in cells], chunksize=1)
+
+
 def verify(record, certificate):
     """Raises Refused; else says what has been shown."""
     require(certificate.get("type") == "tube_certificate" and certificate.get("id") == record.get("id"), "it is no certificate of this record")
@@ -199,9 +213,7 @@ def verify(record, certificate):
     require(len(claim.radius) == math.ceil(track.duration / 0.1), f"{len(claim.radius)} radii for {track.duration} s")
     cells = cells_of(claim, certificate["cells"])
     try:
-        with np.errstate(all="ignore"):  # what is not finite is within no bound
-            for cell in cells:
-                CellProof(claim, track, cell).follow()
+        follow_all(claim, track, cells)
     except (ArithmeticError, ValueError, np.linalg.LinAlgError) as reason:
         raise Refused(f"its numbers are out of range: {reason}") from None
     said = {key: value for key, value in certificate.items() if key not in ("type", "id", "period", "radius", "cells")}

@@ -49,7 +49,7 @@ TEST(ErrorSet, HoldsWhatDisturbancesMayDo) {
     held.intervals = ErrorColumns::Zero(kErrorRows, 1);
     held.intervals(28, 0) = 0.1;
     const ErrorVector box = ErrorVector::Constant(0.01).cwiseProduct(
-        (ErrorVector() << ErrorVector::Ones().head<25>(), ErrorVector::Zero().tail<7>())
+        (ErrorVector() << ErrorVector::Ones().head<25>(), ErrorVector::Zero().tail<9>())
             .finished());
     ErrorSet set(held, box);
     if (seed % 2) set.box_along(ErrorSet::Forms::Random(7, kErrorRows));
