@@ -33,7 +33,7 @@ constexpr Group kGroups[] = {
      "--storey=METRES --classes cloud--origin footprints--origin=LAT,LON "
      "mesh--origin --zero-height=METRES --up footprints--axes --frame --begin "
      "--noise-points --unknown --allow-skipped --collisions-only import-trajectory--gap=METRES "
-     "--resolution=METRES --scale=FACTOR --all --verify --join"},
+     "--resolution=METRES --scale=FACTOR --all --verify"},
     {"Output",
      "-o --output query--grid query--cell=METRES --at-height=METRES check--report=WORD "
      "--report-file --json --degrees --profile "
