@@ -219,8 +219,8 @@ cli::Exit schedule_fleet(const Options& options, const cli::Common& common) {
   traj::FleetObstacles obstacles = read_obstacles(options, stream, common);
   obstacles.close(flights);
   const double read_s = clock.lap();
-  const traj::FleetConflicts conflicts = traj::fleet_conflicts(
-      flights, options.spacing, options.parked, common.execution("pairs"));
+  const traj::FleetConflicts conflicts =
+      traj::fleet_conflicts(flights, options.spacing, options.parked, common.execution("pairs"));
   const double pairs_s = clock.lap();
   const traj::Departures departures =
       traj::choose_departures(flights, conflicts, options.departures, common.execution("rounds"));

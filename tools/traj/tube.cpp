@@ -25,7 +25,8 @@ traj::TubeSolved TubeSolver::solve(const geom::PathRecord& path, const std::stri
     task.solve.limits = options_.limits_for(task_.profile.vehicle);
     return traj::solve_in_tube(task, path, {}, {});
   }
-  geom::Provenance room = geom::provenance_of(*scenes_.shared_scene_for(path.provenance, source, line));
+  geom::Provenance room =
+      geom::provenance_of(*scenes_.shared_scene_for(path.provenance, source, line));
   const Task asked = options_.task(*room.vehicle);
   task.solve = asked.options;
   task.yaw = asked.yaw;

@@ -56,7 +56,8 @@ constexpr Page kPages[] = {
      "--vehicle --margin --takeoff-place --heading"},
     {"skyway-info", "skyway-info data/downtown.csv", ""},
     {"skyway-join",
-     "skyway-fly data/samples/trajectories.jsonl --vehicle quad2kg --shard 1/1 -o s.1 && skyway-join "
+     "skyway-fly data/samples/trajectories.jsonl --vehicle quad2kg --shard 1/1 -o s.1 && "
+     "skyway-join "
      "s.1 -o flight.csv",
      ""},
     {"skyway-lattice",

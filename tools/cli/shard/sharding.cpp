@@ -16,8 +16,8 @@ namespace cli {
 namespace {
 
 // Options that change no byte of what a shard holds, but where it goes and how long it takes.
-constexpr std::array<std::string_view, 8> kIdle = {
-    "output", "report", "report-file", "threads", "progress", "stats", "quiet", "shard"};
+constexpr std::array<std::string_view, 8> kIdle = {"output",   "report", "report-file", "threads",
+                                                   "progress", "stats",  "quiet",       "shard"};
 
 geom::Shard parse_shard(const std::string& word) {
   geom::Shard shard;
@@ -75,8 +75,8 @@ void Sharding::begin(const CLI::App& app, const Files& inputs, const Files& outp
   nlohmann::json hashes = nlohmann::json::object();
   for (const auto& [name, file] : inputs) {
     if (file == "-") {
-      throw UsageError(fmt::format(
-          "--shard reads its inputs from files: give a file for {}, not stdin", name));
+      throw UsageError(
+          fmt::format("--shard reads its inputs from files: give a file for {}, not stdin", name));
     }
     if (!file.empty()) hashes[name] = hash_of(file);
   }
