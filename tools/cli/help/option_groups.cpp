@@ -18,7 +18,7 @@ struct Group {
 
 constexpr Group kGroups[] = {
     {"Input",
-     "--queries --reference --set --length=METRES --from --to --format --file-format --paths-csv "
+     "--queries --set --length=METRES --from --to --format --file-format --paths-csv "
      "--paths plan--home --home-local --contingencies --lattice --roadmap --old-map --patch --map "
      "--plan check--tube export--tube submit--tube --moving --home-place --operation --population "
      "--between "

@@ -38,7 +38,7 @@ struct FleetConflicts {
   }
 };
 
-// forbidden_departures() of the pairs of which boxes of their pieces meet, each box lasting from
+// The forbidden differences of the pairs of which boxes of their pieces meet, each box lasting from
 // its piece's time after the earliest departure to that after the latest. So the cost grows with
 // the number of flights and of near pairs. Two flights of one number are no pair, and neither are
 // two settled ones: nothing is to be chosen between them. The same for any number of threads.
