@@ -180,14 +180,4 @@ BoxTable ColumnGrid::boxes(std::string_view source, const Execution& run) const 
   return boxes_of_columns(impl_->tiles(), impl_->spec, source, run);
 }
 
-std::size_t ColumnGrid::cells() const {
-  std::size_t count = 0;
-  for (const ColumnTile& tile : impl_->tiles()) {
-    for (int i = 0; i < ColumnShard::Tiles::kSide * ColumnShard::Tiles::kSide; ++i) {
-      count += !tile.spans(i).empty();
-    }
-  }
-  return count;
-}
-
 }  // namespace geom

@@ -47,8 +47,6 @@ class ColumnGrid {
   // the points. Empty without points.
   BoxTable boxes(std::string_view source, const Execution& run = {}) const;
 
-  std::size_t cells() const;  // with returns
-
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
