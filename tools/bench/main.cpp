@@ -150,8 +150,8 @@ int main(int argc, char** argv) {
   vehicle.add_to(app);
   vehicle.add_memory_to(app);
   return cli::run_tool(app, argc, argv, [&] {
-    cli::at_most_one_stdin({files.map, files.artefacts.lattice, files.artefacts.roadmap,
-                            files.queries, files.reference});
+    cli::at_most_one_stdin(
+        {files.map, files.artefacts.lattice, files.artefacts.roadmap, files.queries});
     cli::Scenes scenes(
         cli::open_map(files.map, geom::Verified::extents, common.execution("verify")), vehicle,
         cli::Scenes::Differences::refused);

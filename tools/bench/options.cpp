@@ -8,7 +8,6 @@
 #include "cli/option/quality_option.h"
 #include "cli/option/word_for.h"
 #include "cli/run.h"
-#include "geom/base/error.h"
 #include "geom/base/thread_seconds.h"
 #include "methods.h"
 
@@ -19,9 +18,6 @@ void add_queries(CLI::App& app, Files& files, Options& options) {
   auto* queries = app.add_option("--queries", files.queries, "JSON Lines or CSV; - for stdin");
   files.metres.add_to(app);
   app.get_option("--metres")->needs(queries);
-  app.add_option("--reference", files.reference,
-                 "CSV of the best lengths known, with columns id and length")
-      ->needs(queries);
   cli::add_word(app, "--set", options.random.ends, plan::bench::kEndsWords,
                 "random queries: uniform in free space (default); street: within 30 m of the "
                 "floor; street-blocked: as street, and the straight line is blocked")
@@ -114,20 +110,6 @@ std::vector<geom::PlanQuery> read_queries(const Files& files, const geom::BoxMap
   for (const geom::PlanQuery& query : queries) {
     files.metres.check_input(map.spec().frame, cli::ends_in_metres(query), file.name(), query.line);
   }
-  if (files.reference.empty()) return queries;
-  cli::InputFile reference(files.reference);
-  const auto lengths = geom::read_reference_lengths(reference.stream(), reference.name());
-  std::size_t known = 0;
-  for (geom::PlanQuery& query : queries) {
-    const auto at = lengths.find(query.id);
-    if (at == lengths.end()) continue;
-    query.best_known = at->second;
-    ++known;
-  }
-  if (!known)
-    throw geom::InputError(
-        reference.name(),
-        {.expected = "the length of at least one of the queries", .found = "other ids only"});
   return queries;
 }
 

@@ -19,7 +19,6 @@ struct Files {
   std::string map;
   cli::ArtefactFiles artefacts;  // for auto
   std::string queries;
-  std::string reference;
   std::string output = "-";
   cli::MetresOption metres{true};
 };

@@ -20,7 +20,6 @@
 #include "cli/option/option_check.h"
 #include "cli/option/output_option.h"
 #include "cli/option/parse_error.h"
-#include "cli/option/renamed_options.h"
 #include "geom/base/error.h"
 #include "geom/base/file_error.h"
 #include "geom/base/mapped_file.h"
@@ -63,19 +62,6 @@ int answer(CLI::App& app, const CLI::Success& asked) {
   app.exit(asked, text, text);
   print(text.str());
   return static_cast<int>(Exit::yes);
-}
-
-void parse(CLI::App& app, const std::vector<std::string>& arguments) {
-  std::vector<const char*> pointers;
-  for (const std::string& argument : arguments) pointers.push_back(argument.c_str());
-  app.parse(static_cast<int>(pointers.size()), pointers.data());
-}
-
-// Unless -q.
-void tell_renamed(const CLI::App& app, const CurrentWords& words) {
-  const CLI::Option* const quiet = app.get_option_no_throw("--quiet");
-  if (quiet && quiet->count() > 0) return;
-  for (const std::string& note : words.notes) complain(app.get_name(), note);
 }
 
 Exit run(const CLI::App& app, const std::function<Exit()>& body) {
@@ -123,15 +109,13 @@ int run_tool(CLI::App& app, int argc, char** argv, const std::function<Exit()>& 
   add_completion(app);
   add_help(app);
   RunFiles files;
-  const CurrentWords words = in_current_words(name, {argv, static_cast<std::size_t>(argc)});
-  return guarded(app, argc > 1 ? words.arguments.back() : "", [&] {
+  return guarded(app, argc > 1 ? argv[argc - 1] : "", [&] {
     try {
-      parse(app, words.arguments);
+      app.parse(argc, argv);
       check_values(app);
     } catch (const CLI::Success& asked) {
       return answer(app, asked);
     }
-    tell_renamed(app, words);
     return static_cast<int>(run(app, body));
   });
 }

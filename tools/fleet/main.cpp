@@ -13,10 +13,8 @@
 #include "cli/option/spacing_options.h"
 #include "cli/option/vehicle_option.h"
 #include "cli/run.h"
-#include "cli/shard/sharding.h"
 #include "cli/tell.h"
 #include "geom/text/counted.h"
-#include "traj/fleet/departure_part.h"
 #include "traj/record/verdict.h"
 #include "traj/schedule/fleet_schedule.h"
 
@@ -48,8 +46,7 @@ struct Options {
     if (app.count("--improve") > 0) departures.rescue = 0;
   }
   void add_to(CLI::App& app);
-  void refuse_idle(const CLI::App& app, bool shard) const;
-  cli::Sharding::Files inputs() const;
+  void refuse_idle(const CLI::App& app) const;
 };
 
 void Options::add_to(CLI::App& app) {
@@ -84,7 +81,7 @@ void Options::add_to(CLI::App& app) {
   app.add_option("--seed", departures.seed, "seed of the order of --improve (default 0)");
 }
 
-void Options::refuse_idle(const CLI::App& app, bool shard) const {
+void Options::refuse_idle(const CLI::App& app) const {
   cli::only_for(app, !map.empty() || moving.asked(), {"--vehicle", "--margin"},
                 "--map or --moving");
   cli::only_for(app, !map.empty(), {"--metres"}, "--map");
@@ -94,18 +91,6 @@ void Options::refuse_idle(const CLI::App& app, bool shard) const {
     if (!file.empty()) beside.push_back(file);
   }
   cli::at_most_one_stdin(input, beside);
-  if (shard && !report.empty()) {
-    throw cli::UsageError("a shard has no output but -o: give --report-file later, with --join");
-  }
-}
-
-cli::Sharding::Files Options::inputs() const {
-  cli::Sharding::Files out{{"file", input}};
-  for (const std::string& file : alternatives) {
-    out.emplace_back(fmt::format("alternatives {}", out.size()), file);
-  }
-  out.insert(out.end(), {{"map", map}, {"others", others}, {"moving", moving.file()}});
-  return out;
 }
 
 // Seconds since it was made, and since it was asked last.
@@ -226,27 +211,17 @@ void tell(const cli::Common& common, const traj::FleetStream& stream,
   }
 }
 
-// Reads, chooses, proves and writes; or works out a shard.
-cli::Exit schedule_fleet(const Options& options, const cli::Sharding& sharding,
-                         const cli::Common& common) {
+// Reads, chooses, proves and writes.
+cli::Exit schedule_fleet(const Options& options, const cli::Common& common) {
   Clock clock;
   const traj::FleetStream stream = read_stream(options, common);
   std::vector<traj::FleetFlight> flights = stream.flights();
   traj::FleetObstacles obstacles = read_obstacles(options, stream, common);
   obstacles.close(flights);
   const double read_s = clock.lap();
-  const std::vector<geom::ShardFile> shards = sharding.shards();
   const traj::FleetConflicts conflicts =
-      shards.empty() ? traj::fleet_conflicts(flights, options.spacing, options.parked,
-                                             sharding.shard(), common.execution("pairs"))
-                     : traj::joined_departures(shards, flights.size());
+      traj::fleet_conflicts(flights, options.spacing, options.parked, common.execution("pairs"));
   const double pairs_s = clock.lap();
-  if (sharding.asked()) {
-    sharding.write(options.output, "output", "departures",
-                   traj::arrays_of(conflicts, flights.size()));
-    common.write_stats({{"near", conflicts.looked_at}, {"pairs_s", pairs_s}});
-    return cli::Exit::yes;
-  }
   const traj::Departures departures =
       traj::choose_departures(flights, conflicts, options.departures, common.execution("rounds"));
   const double choose_s = clock.lap();
@@ -280,15 +255,9 @@ int main(int argc, char** argv) {
   cli::Common common(app, true);
   Options options;
   options.add_to(app);
-  cli::Sharding sharding;
-  sharding.add_to(app);
-  sharding.add_join_to(app, "all shards of the pairs, which are then read and not worked out")
-      ->expected(1, -1);
   return cli::run_tool(app, argc, argv, [&] {
-    options.refuse_idle(app, sharding.asked());
+    options.refuse_idle(app);
     options.settle(app);
-    sharding.begin(app, options.inputs(), {{"output", options.output}});
-    if (const auto done = sharding.finished(common)) return *done;
-    return schedule_fleet(options, sharding, common);
+    return schedule_fleet(options, common);
   });
 }

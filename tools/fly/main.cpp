@@ -51,16 +51,8 @@ struct Outputs {
   }
 };
 
-void add_sharding(CLI::App& app, cli::Sharding& sharding) {
-  sharding.add_to(app)->excludes("--tune");
-  sharding.add_join_to(app, "all shards of the runs, which are then read and not flown")
-      ->needs("--runs")
-      ->expected(1, -1);
-}
-
 // What must not be asked together.
-void check_usage(const fly::Options& options, const Inputs& inputs, const cli::Sharding& sharding,
-                 const Outputs& outputs) {
+void check_usage(const fly::Options& options, const Inputs& inputs, const Outputs& outputs) {
   cli::at_most_one_stdin({inputs.map, inputs.trajectories});
   const bool tube = options.runs > 0 || options.proved_tube;
   if (options.tube && (!tube || inputs.map.empty())) {
@@ -89,14 +81,6 @@ void check_usage(const fly::Options& options, const Inputs& inputs, const cli::S
     throw cli::UsageError(
         "--certificate holds for flights that begin at rest on the first point: leave out "
         "--start-error and --start-speed");
-  }
-  if (options.proved_tube && sharding.asked() && options.runs > 0) {
-    throw cli::UsageError(
-        "a shard of --runs proves nothing: give --proved-tube later, with --join");
-  }
-  if (options.runs > 0 && sharding.asked() && reports) {
-    throw cli::UsageError(
-        "a shard of --runs has no output but -o: give --report-file later, with --join");
   }
   if (options.runs > 0 && std::abs(options.flown.mass_error) >= 1) {
     throw cli::UsageError("--mass-error must be below 1 with --runs");
@@ -139,14 +123,6 @@ void write_gains(const cli::Common& common, const traj::SimulatedFlights& missio
   if (tuned.before) stats["before"] = *tuned.before;
   if (tuned.cost) stats["cost"] = *tuned.cost;
   common.write_stats(stats);
-}
-
-// The runs of a share, for --join.
-void write_runs(const cli::Common& common, const traj::SimulatedFlights& mission,
-                const cli::Sharding& sharding, int runs, const std::string& output) {
-  const auto flown = mission.fly_runs(sharding.shard(), common.execution("trajectories"));
-  sharding.write(output, "output", "runs", traj::arrays_of(flown, runs));
-  common.write_stats({{"trajectories", flown.size()}});
 }
 
 // Log and reports of what is flown, and what it came to.
@@ -248,10 +224,10 @@ int main(int argc, char** argv) {
   vehicle.add_memory_to(app);
   options.add_to(app);
   cli::Sharding sharding;
-  add_sharding(app, sharding);
+  sharding.add_to(app)->excludes("--tune");
   return cli::run_tool(app, argc, argv, [&] {
     const Inputs inputs = inputs_of(files);
-    check_usage(options, inputs, sharding, outputs);
+    check_usage(options, inputs, outputs);
     check_needs(app, options, inputs, vehicle);
     sharding.begin(app, {{"map", inputs.map}, {"trajectories", inputs.trajectories}},
                    {{"output", outputs.log},
@@ -262,8 +238,6 @@ int main(int argc, char** argv) {
       map = cli::open_map(inputs.map, geom::Verified::contents, common.execution("verify"));
     }
     if (const auto done = sharding.finished(common)) return *done;
-    std::vector<geom::ShardFile> shards = sharding.shards();
-    const bool runs_only = sharding.asked() && options.runs > 0;
     std::optional<cli::Scenes> scenes;
     if (map) scenes.emplace(*map, flown_as(vehicle), cli::Scenes::Differences::allowed);
     const traj::SimulationOptions asked =
@@ -271,19 +245,17 @@ int main(int argc, char** argv) {
     traj::SimulatedFlights mission(asked, scenes ? &*scenes : nullptr);
     cli::InputFile file(inputs.trajectories);
     const std::size_t total =
-        mission.read(file.stream(), file.name(), runs_only ? geom::Shard() : sharding.shard(),
+        mission.read(file.stream(), file.name(), sharding.shard(),
                      [&](const traj::Trajectory& trajectory, std::size_t line) {
                        options.metres.check_input(map->spec().frame, trajectory, file.name(), line);
                      });
-    if (!shards.empty()) mission.take(traj::JoinedRuns(std::move(shards)));
-    if (!options.tune && !runs_only) {
-      Flights flights(outputs, sharding, asked.profile.airframe, mission.map());
-      mission.fly(common.execution("flights"),
-                  [&](const traj::SimulatedFlight& flight) { flights.add(flight); });
-      return flights.commit(common, total);
+    if (options.tune) {
+      write_gains(common, mission, options, outputs.log);
+      return cli::Exit::yes;
     }
-    if (options.tune) write_gains(common, mission, options, outputs.log);
-    if (runs_only) write_runs(common, mission, sharding, options.runs, outputs.log);
-    return cli::Exit::yes;
+    Flights flights(outputs, sharding, asked.profile.airframe, mission.map());
+    mission.fly(common.execution("flights"),
+                [&](const traj::SimulatedFlight& flight) { flights.add(flight); });
+    return flights.commit(common, total);
   });
 }

@@ -14,13 +14,11 @@
 #include "cli/option/output_option.h"
 #include "cli/option/units.h"
 #include "cli/run.h"
-#include "cli/shard/sharding.h"
 #include "cli/tell.h"
 #include "geom/base/error.h"
 #include "geom/gis/draft_footprints.h"
 #include "geom/gis/ground_of_map.h"
 #include "geom/gis/read_footprints.h"
-#include "geom/map/map_part.h"
 
 namespace {
 
@@ -175,8 +173,6 @@ int main(int argc, char** argv) {
   cli::Common common(app, true);
   Options options;
   options.add_to(app);
-  cli::Sharding sharding;
-  sharding.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     options.settle();
     cli::only_for(app, !options.ground_of.empty(), {"--cell", "--vertical-error"}, "--ground-of");
@@ -184,9 +180,6 @@ int main(int argc, char** argv) {
       write_ground(options, common);
       return cli::Exit::yes;
     }
-    sharding.begin(app, {{"file", options.input}, {"terrain", options.draft.terrain}},
-                   {{"output", options.output}});
-    if (const auto done = sharding.finished(common)) return *done;
     cli::InputFile file(options.input);
     geom::HashedStream hashed(file.stream());
     if (hashed.head().empty()) throw geom::InputError(file.name(), {.says = "the file is empty"});
@@ -195,16 +188,10 @@ int main(int argc, char** argv) {
     }
     const std::string_view word = options.draft.format->format->word;
     cli::require_used(app, format_options(), word, cli::read_as(file.name(), word));
-    options.draft.shard = sharding.shard();
-    geom::MapDraft draft = geom::gis::draft_footprints(options.input, hashed, options.draft,
-                                                       cli::notes_of(common, "skyway-footprints"),
-                                                       common.execution("footprints"));
-    if (sharding.asked()) {
-      sharding.write(options.output, "output", "boxes", geom::arrays_of(draft));
-      common.write_stats(cli::to_json(draft.facts));
-    } else {
-      cli::write_map(common, options.output, std::move(draft));
-    }
+    cli::write_map(common, options.output,
+                   geom::gis::draft_footprints(options.input, hashed, options.draft,
+                                               cli::notes_of(common, "skyway-footprints"),
+                                               common.execution("footprints")));
     return cli::Exit::yes;
   });
 }

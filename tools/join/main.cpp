@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "cli/option/map_output.h"
 #include "cli/option/output_option.h"
 #include "cli/run.h"
 #include "cli/shard/sharding.h"
 #include "geom/archive/record_part.h"
 #include "geom/base/error.h"
-#include "geom/map/map_part.h"
 #include "plan/lattice/lattice_file.h"
 #include "plan/lattice/part_file.h"
 #include "plan/roadmap/part_file.h"
@@ -47,10 +45,6 @@ int main(int argc, char** argv) {
   return cli::run_tool(app, argc, argv, [&] {
     const std::vector<ShardFile> shards = cli::open_shards(files);
     const std::string& kind = shards.front().kind;
-    if (geom::is_map_part(shards.front())) {
-      cli::write_map(common, output, geom::join_map(shards), shards.front().archive.name(), {});
-      return cli::Exit::yes;
-    }
     const bool text = kind == "records";
     cli::OutputFile out(output, text ? cli::OutputKind::text : cli::OutputKind::artefact);
     if (text) {
@@ -59,16 +53,6 @@ int main(int argc, char** argv) {
       join_lattices(out.stream(), shards);
     } else if (kind == "roadmap") {
       join_roadmaps(out.stream(), shards);
-    } else if (kind == "runs") {
-      throw geom::InputError(shards.front().archive.name(),
-                             {.says = "this is a shard of runs",
-                              .advice = "join it with skyway-fly --join, with the trajectories and "
-                                        "options that they were flown with"});
-    } else if (kind == "departures") {
-      throw geom::InputError(shards.front().archive.name(),
-                             {.says = "this is a shard of skyway-fleet",
-                              .advice = "join it with skyway-fleet --join, with the trajectories "
-                                        "and options that it was made with"});
     } else {
       throw geom::InputError(
           shards.front().archive.name(),

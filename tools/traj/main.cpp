@@ -15,10 +15,9 @@
 #include "cli/run.h"
 #include "cli/shard/record_output.h"
 #include "cli/tell.h"
-#include "geom/base/processes.h"
+#include "geom/base/in_order.h"
 #include "geom/text/record_lines.h"
 #include "options.h"
-#include "traj/record/verdict.h"
 #include "tube.h"
 
 namespace {
@@ -29,12 +28,11 @@ class Share {
   Share(cli::InputFile& file, geom::Shard shard)
       : source_(file.name()), lines_(file.stream(), file.name()), shard_(shard) {}
 
-  // "17 {...}": the number of the line, and the path.
-  std::optional<std::string> next() {
-    while (const auto line = lines_.next()) {
+  std::optional<geom::RecordLine> next() {
+    while (auto line = lines_.next()) {
       if (!shard_.takes(total_++)) continue;
       ++taken_;
-      return std::to_string(line->number) + ' ' + line->text;
+      return line;
     }
     return std::nullopt;
   }
@@ -89,10 +87,10 @@ traj::SolvedRecord answer_to(const geom::PathRecord& path, const std::string& so
         scenes.profile() ? std::optional(scenes.profile()->vehicle) : path.provenance.vehicle;
     return {traj::without_path(path, options.limits_for(vehicle.value_or(geom::Vehicle{})))};
   }
-  const geom::CollisionScene& scene = scenes.scene_for(path.provenance, source, line);
-  options.metres.check_input(scene.map().spec().frame, path.points, source, line);
-  const solving::Task task = options.task(scene.vehicle());
-  return traj::solve_record(scene, path, task.options, task.yaw);
+  const auto scene = scenes.shared_scene_for(path.provenance, source, line);
+  options.metres.check_input(scene->map().spec().frame, path.points, source, line);
+  const solving::Task task = options.task(scene->vehicle());
+  return traj::solve_record(*scene, path, task.options, task.yaw);
 }
 
 struct Tally {
@@ -104,60 +102,62 @@ struct Tally {
 constexpr std::size_t kMostTold = 5;  // of these, on stderr
 
 // How the search for a tube went, of the first few that took several rounds.
-void tell_rounds(const cli::Common& common, const solving::Answer& answer, const std::string& id,
-                 Tally& tally) {
-  if (answer.rounds.find(';') == std::string_view::npos || tally.told++ >= kMostTold) return;
-  cli::tell(common, "skyway-traj", id + ": " + std::string(answer.rounds));
+void tell_rounds(const cli::Common& common, const solving::Answer& answer, Tally& tally) {
+  if (answer.rounds.find(';') == std::string::npos || tally.told++ >= kMostTold) return;
+  cli::tell(common, "skyway-traj", answer.id + ": " + answer.rounds);
 }
 
 bool is_failure(std::string_view found) { return found == "no_path" || found == "infeasible"; }
 
-void add(const cli::Common& common, const solving::Answer& answer, const std::string& source,
-         Tally& tally) {
-  ++tally.counts[std::string(answer.found)];
-  const bool good = !is_failure(answer.found);
-  if (good && answer.rounds.empty()) return tally.batch.add_good();
-  const traj::TrajectoryRecord record = traj::parse_trajectory_record(answer.trajectory, source, 0);
-  tell_rounds(common, answer, record.id, tally);
-  if (good) return tally.batch.add_good();
-  const std::string why =
-      answer.rounds.empty() ? traj::in_words(record) : "no trajectory: " + std::string(answer.why);
-  tally.batch.add_failed(answer.found, record.id + ": " + why);
+void add(const cli::Common& common, const solving::Answer& answer, Tally& tally) {
+  ++tally.counts[answer.found];
+  tell_rounds(common, answer, tally);
+  if (!is_failure(answer.found)) return tally.batch.add_good();
+  tally.batch.add_failed(answer.found, answer.id + ": " + answer.why);
 }
 
-// A process an optimisation: MUMPS is not thread safe. `expected`: how many there are, 0 where that
-// is not known.
+struct Item {
+  geom::RecordLine line;
+  solving::Answer answer = {};
+};
+
+constexpr std::size_t kHeld = 64;  // paths and answers
+
+// `expected`: how many there are, 0 where that is not known.
 Tally solve_each(const cli::Common& common, Share& share, std::size_t expected,
                  const solving::Options& options, cli::Scenes& scenes, Outputs& out) {
   const geom::Execution run = common.execution("trajectories");
   std::optional<solving::TubeSolver> tubes;
   if (options.proved_tube) tubes.emplace(options, scenes);
-  const auto work = [&](const std::string& text) {
-    const std::size_t blank = text.find(' ');
-    const std::size_t number = std::stoul(text.substr(0, blank));
-    const geom::PathRecord path =
-        geom::parse_path_record(std::string_view(text).substr(blank + 1), share.source(), number);
+  const auto next = [&]() -> std::optional<Item> {
+    auto line = share.next();
+    return line ? std::optional(Item{*std::move(line)}) : std::nullopt;
+  };
+  const auto work = [&](Item& item) {
+    const auto& [text, number] = item.line;
+    const geom::PathRecord path = geom::parse_path_record(text, share.source(), number);
     const bool corridors = out.corridors.has_value();
     if (tubes) {
       options.metres.check_input(scenes.map().spec().frame, path.points, share.source(), number);
-      return solving::to_text(tubes->solve(path, share.source(), number), corridors, scenes.map());
+      item.answer =
+          solving::answer_of(tubes->solve(path, share.source(), number), corridors, scenes.map());
+    } else {
+      item.answer =
+          solving::answer_of(answer_to(path, share.source(), number, options, scenes), corridors);
     }
-    return solving::to_text(answer_to(path, share.source(), number, options, scenes), corridors);
   };
   Tally tally;
   std::size_t done = 0;
   const auto tell = [&](std::size_t at_least) {
     if (run.progress) run.progress(done, std::max({expected, share.taken(), at_least}));
   };
-  const auto take = [&](const std::string& text) {
-    const solving::Answer answer = solving::parse_answer(text);
-    add(common, answer, share.source(), tally);
+  const auto take = [&](const Item& item) {
+    add(common, item.answer, tally);
     ++done;
     if (expected != done) tell(done + 1);
-    out.add(answer);
+    out.add(item.answer);
   };
-  geom::in_processes(
-      run.threads, [&] { return share.next(); }, work, take);
+  geom::in_order<Item>(run, kHeld, next, work, take);
   tell(done);
   return tally;
 }

@@ -20,15 +20,16 @@ TubeSolver::TubeSolver(const Options& options, cli::Scenes& scenes)
 
 traj::TubeSolved TubeSolver::solve(const geom::PathRecord& path, const std::string& source,
                                    std::size_t line) {
+  traj::TubeTask task = task_;
   if (path.status != geom::PathStatus::found) {
-    traj::TubeTask task = task_;
     task.solve.limits = options_.limits_for(task_.profile.vehicle);
     return traj::solve_in_tube(task, path, {}, {});
   }
-  geom::Provenance room = geom::provenance_of(scenes_.scene_for(path.provenance, source, line));
+  geom::Provenance room =
+      geom::provenance_of(*scenes_.shared_scene_for(path.provenance, source, line));
   const Task asked = options_.task(*room.vehicle);
-  task_.solve = asked.options;
-  task_.yaw = asked.yaw;
+  task.solve = asked.options;
+  task.yaw = asked.yaw;
   geom::PathRecord known = path;
   known.provenance = room;
   const auto scene = [&](double margin) {
@@ -39,7 +40,7 @@ traj::TubeSolved TubeSolver::solve(const geom::PathRecord& path, const std::stri
     plan::Planner planner(in);
     return plan::path_record(in, path.id, planner.plan(path.points.front(), path.points.back()));
   };
-  return traj::solve_in_tube(task_, known, {scene, another}, {});
+  return traj::solve_in_tube(task, known, {scene, another}, {});
 }
 
 }  // namespace solving

@@ -14,7 +14,7 @@ class TubeSolver {
   // no proof speaks of.
   TubeSolver(const Options& options, cli::Scenes& scenes);
 
-  // For a path of the source, whose scene is of `scenes`.
+  // For a path of the source, whose scene is of `scenes`. Threads may call at once.
   traj::TubeSolved solve(const geom::PathRecord& path, const std::string& source, std::size_t line);
 
  private:

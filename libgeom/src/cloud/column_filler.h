@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "base/beside.h"
-#include "geom/base/shard.h"
 #include "geom/cloud/draft_cloud.h"
 #include "geom/cloud/ground_filter.h"
 #include "geom/map/column_grid.h"
@@ -17,9 +16,8 @@ namespace geom {
 
 class ColumnFiller {
  public:
-  // Takes the points of the shard that are no ground; `ground` may be null. All must outlive it.
-  ColumnFiller(const CloudDraftOptions& options, const Shard& shard, const GroundFilter* ground,
-               const Execution& run);
+  // Takes the points that are no ground; `ground` may be null. All must outlive it.
+  ColumnFiller(const CloudDraftOptions& options, const GroundFilter* ground, const Execution& run);
 
   // What a point is refused for may be thrown by a later call.
   void add(std::span<const CloudPoint> points);
@@ -37,10 +35,9 @@ class ColumnFiller {
 
   void reserve();
   void hand_over();
-  void drop(Batch& batch);
+  void drop_ground(Batch& batch);
 
   const CloudDraftOptions& options_;
-  Shard shard_;
   const GroundFilter* ground_;
   Execution run_;
   ColumnGrid columns_;

@@ -48,14 +48,14 @@ void fill(ColumnFiller& filler, CloudSource& source) {
   filler.finish();
 }
 
-ColumnGrid streamed(CloudSource& source, const CloudDraftOptions& options, const Shard& shard,
-                    const Execution& run, Steps& steps) {
+ColumnGrid streamed(CloudSource& source, const CloudDraftOptions& options, const Execution& run,
+                    Steps& steps) {
   const auto points = [&](const auto& add) {
     if (options.ground_by != "class") source.for_each(add);
   };
   const std::optional<GroundFilter> ground =
       options.drop_ground ? std::optional(told_ground(options, points, steps)) : std::nullopt;
-  ColumnFiller filler(options, shard, ground ? &*ground : nullptr, run);
+  ColumnFiller filler(options, ground ? &*ground : nullptr, run);
   fill(filler, source);
   for (Fact& fact : source.facts()) steps.facts.push_back(std::move(fact));
   if (ground) steps.add("dropped_as_ground", filler.dropped());
@@ -227,7 +227,7 @@ MapDraft draft_cloud(const CloudFile& file, const CloudDraftOptions& asked, cons
   const Execution quiet{run.threads, {}};
   BoxTable table = options.in_memory()
                        ? filtered(source, options, file.name, quiet, steps)
-                       : streamed(source, options, {}, quiet, steps).boxes(file.name, quiet);
+                       : streamed(source, options, quiet, steps).boxes(file.name, quiet);
   const std::string line = line_of(steps.facts);
   if (table.boxes.empty()) {
     throw InputError(file.name, {.expected = "at least one point to make boxes of",
@@ -246,15 +246,6 @@ MapDraft draft_cloud(const std::string& path, const CloudDraftOptions& options, 
   const auto in = open_file(path);
   HashedStream first(*in);
   return draft_cloud({path, first, open_file, random ? &*random : nullptr}, options, notes, run);
-}
-
-ColumnDraft draft_columns(const CloudFile& file, const CloudDraftOptions& asked, const Shard& shard,
-                          const Notes& notes, const Execution& run) {
-  const CloudDraftOptions options = settled(asked, file);
-  CloudSource source(file, options, run);
-  Steps steps;
-  ColumnGrid columns = streamed(source, options, shard, {run.threads, {}}, steps);
-  return {settled(source, options, std::move(steps), file.name, notes), std::move(columns)};
 }
 
 }  // namespace geom

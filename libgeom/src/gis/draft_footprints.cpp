@@ -149,8 +149,7 @@ std::optional<double> floor_of(const MakeMapOptions& map) {
   return floor;
 }
 
-// The shard's part of the source in the coordinates of the map, on the ground where there is a
-// terrain.
+// The source in the coordinates of the map, on the ground where there is a terrain.
 Frame place(Source& source, const FootprintDraftOptions& options, const std::string& name) {
   if (options.metres && !source.crs.empty()) {
     throw UsageError(
@@ -161,7 +160,6 @@ Frame place(Source& source, const FootprintDraftOptions& options, const std::str
   const double slack = options.read.slack;
   const Projector projector(source, name, options.read.origin, options.metres);
   sink_ground(source.footprints, floor_of(options.map));
-  keep_shard(source.footprints, options.shard);
   project(source, projector, slack);
   if (!options.terrain.empty()) {
     const Terrain terrain(options.terrain, options.terrain, options.read);

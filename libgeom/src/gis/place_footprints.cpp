@@ -134,20 +134,6 @@ void sink_ground(std::vector<Footprint>& footprints, std::optional<double> floor
   }
 }
 
-void keep_shard(std::vector<Footprint>& footprints, const Shard& shard) {
-  std::vector<std::size_t> first;  // of each feature
-  for (std::size_t i = 0; i < footprints.size(); ++i) {
-    if (i == 0 || footprints[i].id != footprints[i - 1].id) first.push_back(i);
-  }
-  const std::size_t features = first.size();
-  first.push_back(footprints.size());
-  const auto at = [&](std::size_t feature) {
-    return footprints.begin() + static_cast<std::ptrdiff_t>(first[feature]);
-  };
-  footprints.erase(at(shard.end(features)), footprints.end());
-  footprints.erase(footprints.begin(), at(shard.begin(features)));
-}
-
 void check_sizes(const Source& source, double slack, const std::string& name) {
   constexpr double kMostSlabs = 1e6;
   const double reach = std::min(kLargestCoordinate, 1e9 * slack);

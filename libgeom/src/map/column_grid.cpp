@@ -176,36 +176,8 @@ void ColumnGrid::add(std::span<const Vec3> points, double reach, const Execution
   if (count < blocks.size()) blocks = {};  // mostly the last points of a stream
 }
 
-std::vector<std::int32_t> ColumnGrid::spans() const {
-  constexpr int kSide = ColumnShard::Tiles::kSide;
-  std::vector<std::int32_t> rows;
-  for (const ColumnTile& tile : impl_->tiles()) {
-    for (int i = 0; i < kSide * kSide; ++i) {
-      for (const HeightSpan& span : tile.spans(i)) {
-        rows.insert(rows.end(), {tile.tile->x * kSide + i % kSide, tile.tile->y * kSide + i / kSide,
-                                 span.low, span.high});
-      }
-    }
-  }
-  return rows;
-}
-
-void ColumnGrid::add_span(std::int32_t x, std::int32_t y, std::int32_t low, std::int32_t high) {
-  impl_->add({x, y, {low, high}});
-}
-
 BoxTable ColumnGrid::boxes(std::string_view source, const Execution& run) const {
   return boxes_of_columns(impl_->tiles(), impl_->spec, source, run);
-}
-
-std::size_t ColumnGrid::cells() const {
-  std::size_t count = 0;
-  for (const ColumnTile& tile : impl_->tiles()) {
-    for (int i = 0; i < ColumnShard::Tiles::kSide * ColumnShard::Tiles::kSide; ++i) {
-      count += !tile.spans(i).empty();
-    }
-  }
-  return count;
 }
 
 }  // namespace geom

@@ -12,9 +12,6 @@
 namespace geom::picture {
 namespace {
 
-// The same columns in earlier releases.
-constexpr std::string_view kOlderHeader = "frame,t_s,x_m,y_m,z_m,qw,qx,qy,qz";
-
 using Row = std::array<double, 9>;  // as the header has them
 
 Row parse(const TextLines& lines) {
@@ -49,7 +46,7 @@ std::string pose_row(const View& view, std::size_t frame, double time) {
 
 std::vector<CameraPose> read_camera_poses(std::istream& in, std::string_view name) {
   TextLines lines(in, name);
-  if (!lines.next() || (lines.line() != kPosesHeader && lines.line() != kOlderHeader)) {
+  if (!lines.next() || lines.line() != kPosesHeader) {
     lines.refuse({.expected = fmt::format("the header {}", kPosesHeader),
                   .found = in_quotes(lines.line().substr(0, 80))});
   }

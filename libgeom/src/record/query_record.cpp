@@ -305,27 +305,4 @@ std::vector<PlanQuery> read_plan_queries(std::istream& in, std::string_view sour
   return queries;
 }
 
-std::map<std::string, double> read_reference_lengths(std::istream& in, std::string_view source) {
-  TextLines lines(in, source);
-  std::map<std::string, double> lengths;
-  std::optional<Columns> columns;
-  std::size_t length = 0;
-  while (lines.next()) {
-    if (lines.line().empty()) continue;
-    if (!columns) {
-      columns.emplace(lines);
-      length = columns->need(lines, "length");
-      continue;
-    }
-    const auto fields = columns->fields(lines);
-    const double value = coordinate(lines, "length", fields[length]);
-    if (!lengths.emplace(columns->id(fields), path_length(lines, "length", value)).second) {
-      lines.refuse(
-          {.expected = "each id once", .found = fmt::format("\"{}\" again", columns->id(fields))});
-    }
-  }
-  if (lengths.empty()) lines.refuse({.expected = "at least one length", .found = "none"});
-  return lengths;
-}
-
 }  // namespace geom

@@ -34,15 +34,6 @@ std::optional<Limit> first_above(const Limits& a, const Limits& b) {
   return std::nullopt;
 }
 
-std::optional<Limit> first_looser(const Limits& a, const Limits& b) {
-  for (const LimitKind& kind : kLimitKinds) {
-    const auto& ours = a[kind.limit];
-    const auto& theirs = b[kind.limit];
-    if (theirs && !(ours && *ours <= *theirs)) return kind.limit;
-  }
-  return std::nullopt;
-}
-
 Limits limits_that_hold(const LimitSources& sources) {
   Limits out = stricter(sources.record, sources.vehicle);
   for (const LimitKind& kind : kLimitKinds) {

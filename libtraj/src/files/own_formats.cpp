@@ -8,7 +8,7 @@ namespace {
 using geom::Format;
 using Tools = std::string_view[];
 
-constexpr Tools kShardTools = {"skyway-join", "skyway-fleet", "skyway-fly", "skyway-info"};
+constexpr Tools kShardTools = {"skyway-join", "skyway-info"};
 constexpr Tools kMapTools = {
     "skyway-map",           "skyway-plan",  "skyway-replan", "skyway-lattice",
     "skyway-roadmap",       "skyway-traj",  "skyway-check",  "skyway-export",

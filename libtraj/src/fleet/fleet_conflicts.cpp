@@ -147,18 +147,15 @@ void append(const FleetConflicts& part, FleetConflicts& out) {
 }  // namespace
 
 FleetConflicts fleet_conflicts(std::span<const FleetFlight> flights, const Spacing& spacing,
-                               Parked parked, const geom::Shard& shard,
-                               const geom::Execution& run) {
+                               Parked parked, const geom::Execution& run) {
   if (flights.empty()) return {};
   const Fleet fleet(flights, spacing, parked, run);
   const std::vector<FlightPair> near = fleet.near(run);
-  const std::size_t first = shard.begin(near.size());
-  const std::size_t count = shard.end(near.size()) - first;
-  std::vector<FleetConflicts> blocks((count + kBlock - 1) / kBlock);
+  std::vector<FleetConflicts> blocks((near.size() + kBlock - 1) / kBlock);
   geom::parallel_for(blocks.size(), run, [&](std::size_t i) {
-    const std::size_t end = std::min(count, (i + 1) * kBlock);
+    const std::size_t end = std::min(near.size(), (i + 1) * kBlock);
     for (std::size_t k = i * kBlock; k < end; ++k) {
-      const FlightPair& pair = near[first + k];
+      const FlightPair& pair = near[k];
       const auto spans = fleet.forbidden(pair);
       ++blocks[i].looked_at;
       if (spans.empty()) continue;
@@ -167,12 +164,8 @@ FleetConflicts fleet_conflicts(std::span<const FleetFlight> flights, const Spaci
       blocks[i].ends.push_back(blocks[i].forbidden.size());
     }
   });
-  return joined(blocks);
-}
-
-FleetConflicts joined(std::span<const FleetConflicts> shards) {
   FleetConflicts out;
-  for (const FleetConflicts& shard : shards) append(shard, out);
+  for (const FleetConflicts& block : blocks) append(block, out);
   return out;
 }
 

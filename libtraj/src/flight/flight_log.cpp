@@ -52,40 +52,17 @@ constexpr Columns kColumns = {"id",
                               "end"};
 
 constexpr std::size_t kUsual = kColumns.size() - 2;  // without battery and end
-constexpr std::size_t kWithoutMap = kUsual - 1;
+constexpr std::size_t kMap = kUsual - 1;
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-std::string header(const Columns& names = kColumns, std::size_t columns = kUsual) {
-  return fmt::format("{}", fmt::join(names.begin(), names.begin() + columns, ","));
-}
-
-// East, north, up as x, y, z: the same columns in earlier releases, the first of them without a
-// map.
-Columns older_columns() {
-  Columns older = kColumns;
-  constexpr std::array<std::size_t, 4> kFirst = {2, 5, 15, 18};
-  constexpr std::array<std::string_view, 12> kNames = {"x_m",
-                                                       "y_m",
-                                                       "z_m",
-                                                       "vx_mps",
-                                                       "vy_mps",
-                                                       "vz_mps",
-                                                       "setpoint_x_m",
-                                                       "setpoint_y_m",
-                                                       "setpoint_z_m",
-                                                       "setpoint_vx_mps",
-                                                       "setpoint_vy_mps",
-                                                       "setpoint_vz_mps"};
-  for (std::size_t i = 0; i < kNames.size(); ++i) older[kFirst[i / 3] + i % 3] = kNames[i];
-  return older;
+std::string header(std::size_t columns = kUsual) {
+  return fmt::format("{}", fmt::join(kColumns.begin(), kColumns.begin() + columns, ","));
 }
 
 // How many columns a log with this header has; nothing for another header.
 std::optional<std::size_t> columns_of(std::string_view line) {
-  const Columns older = older_columns();
-  if (line == header() || line == header(older)) return kUsual;
-  if (line == header(kColumns, kColumns.size())) return kColumns.size();
-  if (line == header(older, kWithoutMap)) return kWithoutMap;
+  if (line == header()) return kUsual;
+  if (line == header(kColumns.size())) return kColumns.size();
   return std::nullopt;
 }
 
@@ -164,7 +141,7 @@ class Row {
   }
 
   const std::string& id() const { return fields_[0]; }
-  std::string map() const { return fields_.size() > kWithoutMap ? fields_[kWithoutMap] : ""; }
+  const std::string& map() const { return fields_[kMap]; }
 
   // How the flight ends with this row: "" or "cut".
   bool cut() const {
@@ -276,7 +253,7 @@ void write_flight(std::ostream& out, const FlightLog& log) { write_rows(out, log
 
 void write_flight_log(std::ostream& out, std::span<const FlightLog> logs) {
   const bool with_end = std::any_of(logs.begin(), logs.end(), has_end);
-  out << header(kColumns, with_end ? kColumns.size() : kUsual) << '\n';
+  out << header(with_end ? kColumns.size() : kUsual) << '\n';
   for (const FlightLog& log : logs) write_rows(out, log, with_end);
 }
 

@@ -49,12 +49,10 @@ FlightOptions drawn(const FlightOptions& base, const MonteCarloOptions& options,
 }
 
 std::vector<RunOutcome> fly_runs(const ReferenceTrack& track, const FlightOptions& base,
-                                 const MonteCarloOptions& options, const geom::Shard& shard,
-                                 const geom::Execution& run) {
-  const auto taken = shard.items(static_cast<std::size_t>(options.runs));
-  std::vector<RunOutcome> out(taken.size());
-  geom::parallel_for(taken.size(), run, [&](std::size_t i) {
-    const Flight flight = simulate(track, drawn(base, options, taken[i]), {});
+                                 const MonteCarloOptions& options, const geom::Execution& run) {
+  std::vector<RunOutcome> out(static_cast<std::size_t>(options.runs));
+  geom::parallel_for(out.size(), run, [&](std::size_t i) {
+    const Flight flight = simulate(track, drawn(base, options, i), {});
     out[i].lost = flight.lost.has_value();
     if (out[i].lost) return;
     out[i].tracking = tracking(flight, track.duration());

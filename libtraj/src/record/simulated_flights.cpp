@@ -7,7 +7,6 @@
 #include "geom/base/error.h"
 #include "geom/base/parallel.h"
 #include "geom/record/made_for_another.h"
-#include "geom/text/counted.h"
 #include "geom/text/record_lines.h"
 #include "traj/curve/to_enu.h"
 #include "traj/curve/trajectory_hash.h"
@@ -167,33 +166,6 @@ std::string SimulatedFlights::certificate_of(const Entry& entry, const FlightRep
                                {options_.flight, *options_.disturbances}, report.proved);
 }
 
-std::vector<std::vector<RunOutcome>> SimulatedFlights::fly_runs(const geom::Shard& shard,
-                                                                const geom::Execution& run) const {
-  std::vector<std::vector<RunOutcome>> out;
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    if (entries_[i].record.status == TrajectoryStatus::solved) {
-      out.push_back(traj::fly_runs(track_of(entries_[i]), options_.flight, *options_.spread, shard,
-                                   {run.threads, {}}));
-    }
-    if (run.progress) run.progress(i + 1, entries_.size());
-  }
-  return out;
-}
-
-void SimulatedFlights::take(JoinedRuns runs) {
-  const auto solved = static_cast<std::size_t>(std::count_if(
-      entries_.begin(), entries_.end(),
-      [](const Entry& entry) { return entry.record.status == TrajectoryStatus::solved; }));
-  if (runs.trajectories() != solved) {
-    throw geom::InputError(
-        source_, {.expected = fmt::format("the {} of the shards",
-                                          geom::counted(runs.trajectories(), "solved trajectory",
-                                                        "solved trajectories")),
-                  .found = fmt::to_string(solved)});
-  }
-  joined_.emplace(std::move(runs));
-}
-
 std::string SimulatedFlights::map_of(const Entry& entry) const {
   return scenes_ ? scenes_->map().hash() : entry.record.provenance.map.value_or("");
 }
@@ -211,7 +183,6 @@ SimulatedFlights::Flown SimulatedFlights::flown(const Entry& entry) const {
 
 void SimulatedFlights::fly(const geom::Execution& run,
                            const std::function<void(SimulatedFlight)>& told) {
-  std::size_t solved = 0;
   for (std::size_t first = 0; first < entries_.size(); first += kBlock) {
     std::vector<Flown> block(std::min(kBlock, entries_.size() - first));
     geom::parallel_for(block.size(), {run.threads, {}},
@@ -221,17 +192,13 @@ void SimulatedFlights::fly(const geom::Execution& run,
       const ReferenceTrack* track = block[i].track ? &*block[i].track : nullptr;
       SimulatedFlight out{report_of(entry, track, block[i].flight), {}, {}, {}, block[i].cpu};
       if (track && options_.spread) {
-        add_runs(entry,
-                 joined_ ? joined_->outcomes(solved, track->duration())
-                         : traj::fly_runs(*track, options_.flight, *options_.spread, {},
-                                          {run.threads, {}}),
+        add_runs(entry, fly_runs(*track, options_.flight, *options_.spread, {run.threads, {}}),
                  out.report);
       }
       if (track && options_.disturbances) {
         add_proof(entry, *track, {run.threads, {}}, out.report);
         out.certificate = certificate_of(entry, out.report);
       }
-      solved += track != nullptr;
       out.log = {entry.record.id, map_of(entry), std::move(block[i].flight.samples)};
       if (track) {
         out.seconds = options_.flight.hover +

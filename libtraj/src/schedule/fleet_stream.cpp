@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "geom/base/error.h"
+#include "geom/base/in_order.h"
 #include "geom/base/rounding.h"
 #include "geom/text/record_lines.h"
 #include "traj/proof/domain.h"
@@ -13,12 +14,25 @@ namespace traj {
 
 using geom::InputError;
 
+namespace {
+constexpr std::size_t kHeld = 1024;  // records that are read ahead
+}  // namespace
+
 void FleetStream::read_each(std::istream& in, const std::string& source, Add member) {
-  const auto parse = [&](const std::string& line, std::size_t number) {
-    return parse_trajectory_record(line, source, number);
+  struct Item {
+    geom::RecordLine line;
+    TrajectoryRecord record = {};
   };
-  geom::for_each_parsed(in, source, run_, parse, [&](TrajectoryRecord record, std::size_t number) {
-    (this->*member)(std::move(record), source, number);
+  geom::RecordLines lines(in, source);
+  const auto next = [&]() -> std::optional<Item> {
+    auto line = lines.next();
+    return line ? std::optional(Item{*std::move(line)}) : std::nullopt;
+  };
+  const auto parse = [&](Item& item) {
+    item.record = parse_trajectory_record(item.line.text, source, item.line.number);
+  };
+  geom::in_order<Item>(run_, kHeld, next, parse, [&](Item& item) {
+    (this->*member)(std::move(item.record), source, item.line.number);
   });
   gather();
 }

@@ -102,21 +102,6 @@ TEST(DraftCloud, TellsHowTheGroundIsToldAndReadsAgain) {
   EXPECT_EQ(fact(draft, "dropped_as_ground") + fact(draft, "kept"), 7u);
 }
 
-TEST(DraftCloud, SharesOfColumnsAreThoseOfAll) {
-  std::istringstream in(kPoints);
-  HashedStream first(in);
-  const ColumnDraft whole = draft_columns({"cloud", first, {}, nullptr}, {}, {});
-  std::vector<std::int32_t> spans;
-  for (std::size_t k = 0; k < 3; ++k) {
-    std::istringstream again(kPoints);
-    HashedStream bytes(again);
-    const auto part = draft_columns({"cloud", bytes, {}, nullptr}, {}, {k, 3}).columns.spans();
-    spans.insert(spans.end(), part.begin(), part.end());
-  }
-  EXPECT_EQ(spans.size(), whole.columns.spans().size());
-  EXPECT_EQ(whole.map.history, drafted(kPoints).history);
-}
-
 TEST(DraftCloud, RefusesWhatLeavesNothingOrContradicts) {
   CloudDraftOptions options;
   options.objects = true;

@@ -82,8 +82,6 @@ TEST(ColumnGrid, IsTheSameOfManyPointsAtOnceForAnyNumberOfThreads) {
         ColumnGrid grid(spec);
         grid.add(std::span(points).first(25000), reach, {threads, {}});
         grid.add(std::span(points).subspan(25000), reach, {threads, {}});
-        EXPECT_EQ(grid.spans(), one.spans());
-        EXPECT_EQ(grid.cells(), one.cells());
         const BoxTable table = grid.boxes("test", {threads, {}});
         EXPECT_TRUE(table.boxes == expected.boxes);
         EXPECT_EQ(table.label, expected.label);
@@ -105,24 +103,6 @@ TEST(ColumnGrid, RefusesTheFirstPointThatIsTooFarForAnyNumberOfThreads) {
     } catch (const InputError& error) {
       EXPECT_EQ(error.fault().found, "3000000000");
     }
-  }
-}
-
-TEST(ColumnGrid, IsMadeOfTheSpansOfOthers) {
-  // Every second point in another grid: their columns lie in each other.
-  for (const ColumnSpec& spec : {ColumnSpec{1, 0.5, 2, true}, ColumnSpec{8, 0.3, 0, false}}) {
-    const auto points = scan(5, 3000, {10, -20, 3});
-    std::array<ColumnGrid, 3> grids = {ColumnGrid(spec), ColumnGrid(spec), ColumnGrid(spec)};
-    for (std::size_t i = 0; i < points.size(); ++i) grids[i % 2].add(points[i]);
-    for (const std::size_t from : {1u, 0u}) {
-      const auto rows = grids[from].spans();
-      for (std::size_t i = 0; i < rows.size(); i += 4) {
-        grids[2].add_span(rows[i], rows[i + 1], rows[i + 2], rows[i + 3]);
-      }
-    }
-    const BoxTable whole = boxes(points, spec);
-    EXPECT_TRUE(grids[2].boxes("test").boxes == whole.boxes);
-    EXPECT_EQ(grids[2].boxes("test").label, whole.label);
   }
 }
 

@@ -31,11 +31,6 @@ TEST(CameraPoses, ComeBackBitForBit) {
   }
 }
 
-TEST(CameraPoses, AreReadWithTheNamesOfEarlierReleases) {
-  std::istringstream in("frame,t_s,x_m,y_m,z_m,qw,qx,qy,qz\n0,0.5,1,2,3,1,0,0,0\n");
-  EXPECT_EQ(geom::picture::read_camera_poses(in, "poses").at(0).eye, geom::Vec3(1, 2, 3));
-}
-
 TEST(CameraPoses, RefusesOtherTables) {
   const std::string header = std::string(geom::picture::kPosesHeader) + "\n";
   for (const std::string& rows :

@@ -82,17 +82,6 @@ TEST(PlanQueries, KnowTheBestLengthWhereItIsGiven) {
   EXPECT_THROW(read_plan_queries(zero, "q"), InputError);
 }
 
-TEST(ReferenceLengths, AreReadById) {
-  std::istringstream in("length,set,id\n5,s,1\n\n6,s,2\n");
-  const auto lengths = read_reference_lengths(in, "r");
-  EXPECT_EQ(lengths, (std::map<std::string, double>{{"s-1", 5}, {"s-2", 6}}));
-  for (const char* bad : {"", "id\n1\n", "id,length\n", "id,length\n1,-2\n", "id,length\n1,x\n",
-                          "id,length\n1,2\n1,2\n", "id,length\n1\n"}) {
-    std::istringstream bad_in(bad);
-    EXPECT_THROW(read_reference_lengths(bad_in, "r"), InputError) << bad;
-  }
-}
-
 // --- on Earth -----------------------------------------------------------------------------------
 
 const GeodeticOrigin kHelsinki{60.17, 24.94, 0};

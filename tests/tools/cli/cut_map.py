@@ -70,7 +70,7 @@ def main():
                                  "--threads", "3", "-o", "out"],
                                 b"".join(QUERY.replace(b'"q"', b'"q%d"' % i) for i in range(9))),
             "check": (["skyway-check", *common, "-o", "out"], PATH),
-            "traj in processes": (["skyway-traj", *common, "--threads", "2", "--vmax", "9",
+            "traj on threads": (["skyway-traj", *common, "--threads", "2", "--vmax", "9",
                                    "--amax", "4", "-o", "out"],
                                   PATH + PATH.replace(b'"p"', b'"p2"')),
         }

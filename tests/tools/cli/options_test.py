@@ -162,22 +162,6 @@ def check_one_meaning():
     return kinds
 
 
-def check_renamed(kinds):
-    """Every old word stands on the manual page beside its new one, is no option, and reaches the new one."""
-    rows = re.findall(r'\{"(skyway-\S+)", "(--\S+)", "(--\S+)"\}',
-                      (source_dir / "tools/cli/option/renamed_options.cpp").read_text())
-    page = (source_dir / "docs/man/skyway-running.7.md").read_text().partition("# OPTIONS THAT WERE RENAMED")[2]
-    assert rows and page
-    for tool, old, word in rows:
-        if not re.search(rf"`{word}`.*`{old}`.*\b{tool.removeprefix('skyway-')}\b", page):
-            wrong.append(f"docs/man/skyway-running.7.md does not say that {old} of {tool} is {word}")
-        takers = [taker for found in kinds[word].values() for taker in found]
-        if not any(taker.split()[0] == tool for taker in takers):
-            wrong.append(f"{tool} has no option {word}")
-        if any(taker.split()[0] == tool for found in kinds.get(old, {}).values() for taker in found):
-            wrong.append(f"{tool} has an option {old}, which was renamed")
-
-
 def check_tool(tool, folder):
     verbs = verbs_of(tool)
     bash, zsh = folder / tool, folder / f"_{tool}"
@@ -218,6 +202,6 @@ with tempfile.TemporaryDirectory() as name:
         check_tool(one, pathlib.Path(name))
     check_front(pathlib.Path(name))
 check_lengths()
-check_renamed(check_one_meaning())
+check_one_meaning()
 print("\n".join(wrong) or f"manual pages and completions of {len(tools)} tools agree with --help")
 sys.exit(bool(wrong))

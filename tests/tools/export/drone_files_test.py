@@ -117,7 +117,7 @@ def plan(items=(TAKEOFF, POINT, LAND), change=None, **more):
     return json.dumps(made)
 
 
-def setpoints(rows, header="t_s,x_m,y_m,z_m,vx_m_s,vy_m_s,vz_m_s,ax_m_s2,ay_m_s2,az_m_s2,yaw_rad,yaw_rate_rad_s"):
+def setpoints(rows, header="t_s,east_m,north_m,up_m,v_east_m_s,v_north_m_s,v_up_m_s,a_east_m_s2,a_north_m_s2,a_up_m_s2,yaw_rad,yaw_rate_rad_s"):
     return header + "\n" + "".join(",".join(map(str, r)) + "\n" for r in rows)
 
 

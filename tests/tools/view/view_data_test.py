@@ -159,14 +159,14 @@ def check_corridor(page, record):
 
 def flight_rows(record, count):
     """A flight log that is 0.25 m too high all the time, in ENU."""
-    header = ("id,t_s,x_m,y_m,z_m,vx_mps,vy_mps,vz_mps,qw,qx,qy,qz,p_radps,q_radps,r_radps,setpoint_x_m,"
-              "setpoint_y_m,setpoint_z_m,setpoint_vx_mps,setpoint_vy_mps,setpoint_vz_mps,setpoint_yaw_rad,"
-              "motor1,motor2,motor3,motor4,saturated")
+    header = ("id,t_s,east_m,north_m,up_m,v_east_mps,v_north_mps,v_up_mps,qw,qx,qy,qz,p_radps,q_radps,r_radps,setpoint_east_m,"
+              "setpoint_north_m,setpoint_up_m,setpoint_v_east_mps,setpoint_v_north_mps,setpoint_v_up_mps,setpoint_yaw_rad,"
+              "motor1,motor2,motor3,motor4,saturated,map")
     rows = [header]
     for i in range(count):
         t = record["duration"] * i / (count - 1)
         p, v = enu(evaluate(record, t, 0)), enu(evaluate(record, t, 1))
-        values = [t, p[0], p[1], p[2] + 0.25, *v, 1, 0, 0, 0, 0, 0, 0, *p, *v, 0, 0.5, 0.5, 0.5, 0.5, i % 2]
+        values = [t, p[0], p[1], p[2] + 0.25, *v, 1, 0, 0, 0, 0, 0, 0, *p, *v, 0, 0.5, 0.5, 0.5, 0.5, i % 2, ""]
         rows.append(",".join([record["id"], *map(str, values)]))
     return "\n".join(rows) + "\n"
 

@@ -31,13 +31,13 @@ def run(*args, text=None, yes=True):
 
 def flight_of(setpoints):
     """A flight log from setpoints: as asked, but 0.2 m to the east."""
-    rows = ["id,t_s,x_m,y_m,z_m,vx_mps,vy_mps,vz_mps,qw,qx,qy,qz,p_radps,q_radps,r_radps,setpoint_x_m,"
-            "setpoint_y_m,setpoint_z_m,setpoint_vx_mps,setpoint_vy_mps,setpoint_vz_mps,setpoint_yaw_rad,"
-            "motor1,motor2,motor3,motor4,saturated"]
+    rows = ["id,t_s,east_m,north_m,up_m,v_east_mps,v_north_mps,v_up_mps,qw,qx,qy,qz,p_radps,q_radps,r_radps,setpoint_east_m,"
+            "setpoint_north_m,setpoint_up_m,setpoint_v_east_mps,setpoint_v_north_mps,setpoint_v_up_mps,setpoint_yaw_rad,"
+            "motor1,motor2,motor3,motor4,saturated,map"]
     for line in setpoints.splitlines()[1:]:
         t, x, y, z, vx, vy, vz, *_ = line.split(",")
         rows.append(f"q1,{t},{float(x) + 0.2},{y},{z},{vx},{vy},{vz},1,0,0,0,0,0,0,{x},{y},{z},{vx},{vy},{vz},0,"
-                    "0.5,0.5,0.5,0.5,0")
+                    "0.5,0.5,0.5,0.5,0,")
     return "\n".join(rows) + "\n"
 
 

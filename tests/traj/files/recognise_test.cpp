@@ -37,7 +37,7 @@ TEST(Recognise, KnowsOtherBeginningsOfAFormat) {
       "a roadmap");
   EXPECT_EQ(what(zip("meta.json", R"({"content":{},"format":"skyway-shard")")), "a shard");
   EXPECT_EQ(what(zip("[Content_Types].xml", "")), "an office document");
-  EXPECT_EQ(what("id,t_s,x_m,y_m,z_m,"), "a flight log");
+  EXPECT_EQ(what("id,t_s,east_m,north_m,up_m,"), "a flight log");
   EXPECT_EQ(what("t_s,x_m,y_m\n"), "a table of setpoints");
 }
 

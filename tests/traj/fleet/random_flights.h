@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fleet/forbidden_between.h"
 #include "geom/base/random.h"
 #include "traj/curve/trajectory.h"
 #include "traj/together/spacing.h"
@@ -33,6 +34,16 @@ inline Trajectory random_flight(geom::SplitMix64& random, double across = 100, d
     from = to;
   }
   return out;
+}
+
+// Of two flights that are not cut into pieces yet.
+inline std::vector<DepartureSpan> forbidden_departures(const Trajectory& first,
+                                                       const Trajectory& second,
+                                                       std::span<const Zone> zones, Parked parked,
+                                                       const DepartureSpan& window = {}) {
+  const Bend bend = bend_for(zones);
+  return forbidden_between(course_of(first, parked, bend), course_of(second, parked, bend), zones,
+                           window);
 }
 
 // At `time` after departure, where it is there.

@@ -56,11 +56,6 @@ std::vector<FlightLog> random_flights(std::uint64_t seed) {
   return logs;
 }
 
-const std::string kOldHeader =
-    "id,t_s,x_m,y_m,z_m,vx_mps,vy_mps,vz_mps,qw,qx,qy,qz,p_radps,q_radps,r_radps,setpoint_x_m,"
-    "setpoint_y_m,setpoint_z_m,setpoint_vx_mps,setpoint_vy_mps,setpoint_vz_mps,setpoint_yaw_rad,"
-    "motor1,motor2,motor3,motor4,saturated\n";
-const std::string kOldHeaderWithMap = kOldHeader.substr(0, kOldHeader.size() - 1) + ",map\n";
 const std::string kHeader =
     "id,t_s,east_m,north_m,up_m,v_east_mps,v_north_mps,v_up_mps,qw,qx,qy,qz,p_radps,q_radps,r_"
     "radps,"
@@ -99,26 +94,6 @@ TEST(FlightLog, NamesItsMapInTheFirstRowOfAFlight) {
   const std::string again = text.substr(0, text.size() - 1) + "sha256:b\n";
   EXPECT_NE(refusal(again).find("log.csv:3: the map must stand in the first row"),
             std::string::npos);
-}
-
-TEST(FlightLog, IsReadWithoutTheColumnOfTheMap) {
-  const auto logs = read(kOldHeader + "q,0,0,0,0,0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0\n");
-  ASSERT_EQ(logs.size(), 1u);
-  EXPECT_EQ(logs[0].map, "");
-  EXPECT_EQ(logs[0].samples.size(), 1u);
-}
-
-TEST(FlightLog, IsReadWithTheNamesOfEarlierReleases) {
-  const auto logs = random_flights(3);
-  std::string text = text_of(logs);
-  text.replace(0, kHeader.size(), kOldHeaderWithMap);
-  const auto back = read(text);
-  ASSERT_EQ(back.size(), logs.size());
-  for (std::size_t i = 0; i < logs.size(); ++i) {
-    EXPECT_EQ(back[i].map, logs[i].map);
-    EXPECT_EQ(back[i].samples.back().position, logs[i].samples.back().position);
-    EXPECT_EQ(back[i].samples.back().setpoint_velocity, logs[i].samples.back().setpoint_velocity);
-  }
 }
 
 TEST(FlightLog, IsReadWithCarriageReturnsAndBlankLines) {

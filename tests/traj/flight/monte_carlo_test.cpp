@@ -28,8 +28,8 @@ TEST(MonteCarlo, IsTheSameForAnyThreads) {
   FlightOptions base = testing::example_flight();
   base.wind = {Vec3(3, 0, 0), 3};
   const ReferenceTrack track(testing::line({5, 0, 0}, 4));
-  const TrackingTube one = tube_of(fly_runs(track, base, {20, 0.1}, {}, {1, {}}));
-  const TrackingTube seven = tube_of(fly_runs(track, base, {20, 0.1}, {}, {7, {}}));
+  const TrackingTube one = tube_of(fly_runs(track, base, {20, 0.1}, {1, {}}));
+  const TrackingTube seven = tube_of(fly_runs(track, base, {20, 0.1}, {7, {}}));
   EXPECT_EQ(one.radius, seven.radius);
   ASSERT_EQ(one.radius.size(), 40u);
   EXPECT_EQ(one.saturated, seven.saturated);
@@ -57,7 +57,7 @@ TEST(TrackingTube, HoldsTheHoverAtTheEnd) {
   FlightOptions base = testing::example_flight();
   base.wind = {Vec3(6, 0, 0), 6};
   const ReferenceTrack track(testing::line({5, 0, 0}, 4));
-  const auto runs = fly_runs(track, base, {5, 0.1}, {}, {});
+  const auto runs = fly_runs(track, base, {5, 0.1}, {});
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const Flight flight = simulate(track, drawn(base, {5, 0.1}, i), {});
     double hover = 0;
@@ -92,18 +92,6 @@ TEST(TrackingTube, IsNoneWhereAFlightWasLost) {
   EXPECT_EQ(tube.lost, 1u);
   EXPECT_TRUE(tube.radius.empty());
   EXPECT_TRUE(tube.tracking.empty());
-}
-
-TEST(MonteCarlo, ShardsFlyTheRunsOfTheWhole) {
-  FlightOptions base = testing::example_flight();
-  base.wind = {Vec3(3, 0, 0), 3};
-  const ReferenceTrack track(testing::line({5, 0, 0}, 2));
-  const auto all = fly_runs(track, base, {5, 0.1}, {}, {});
-  std::vector<RunOutcome> shares;
-  for (const std::size_t k : {0u, 1u, 2u}) {
-    for (RunOutcome& o : fly_runs(track, base, {5, 0.1}, {k, 3}, {})) shares.push_back(o);
-  }
-  EXPECT_EQ(tube_of(shares).radius, tube_of(all).radius);
 }
 
 }  // namespace

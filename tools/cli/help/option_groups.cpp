@@ -18,7 +18,7 @@ struct Group {
 
 constexpr Group kGroups[] = {
     {"Input",
-     "--queries --reference --set --length=METRES --from --to --format --file-format --paths-csv "
+     "--queries --set --length=METRES --from --to --format --file-format --paths-csv "
      "--paths plan--home --home-local --contingencies --lattice --roadmap --old-map --patch --map "
      "--plan check--tube export--tube submit--tube --moving --home-place --operation --population "
      "--between "
@@ -33,7 +33,7 @@ constexpr Group kGroups[] = {
      "--storey=METRES --classes cloud--origin footprints--origin=LAT,LON "
      "mesh--origin --zero-height=METRES --up footprints--axes --frame --begin "
      "--noise-points --unknown --allow-skipped --collisions-only import-trajectory--gap=METRES "
-     "--resolution=METRES --scale=FACTOR --all --verify --join"},
+     "--resolution=METRES --scale=FACTOR --all --verify"},
     {"Output",
      "-o --output query--grid query--cell=METRES --at-height=METRES check--report=WORD "
      "--report-file --json --degrees --profile "

@@ -56,7 +56,10 @@ constexpr Page kPages[] = {
      "--vehicle --margin --takeoff-place --heading"},
     {"skyway-info", "skyway-info data/downtown.csv", ""},
     {"skyway-join",
-     "skyway-cloud data/samples/scan.xyz --shard 1/1 -o s.1 && skyway-join s.1 -o scan.boxmap", ""},
+     "skyway-fly data/samples/trajectories.jsonl --vehicle quad2kg --shard 1/1 -o s.1 && "
+     "skyway-join "
+     "s.1 -o flight.csv",
+     ""},
     {"skyway-lattice",
      "skyway-import data/downtown.csv | skyway-lattice - --spacing 10 --connect 26 --vehicle tello "
      "-o city.lattice",

@@ -16,8 +16,8 @@ namespace cli {
 namespace {
 
 // Options that change no byte of what a shard holds, but where it goes and how long it takes.
-constexpr std::array<std::string_view, 9> kIdle = {
-    "output", "report", "report-file", "threads", "progress", "stats", "quiet", "shard", "join"};
+constexpr std::array<std::string_view, 8> kIdle = {"output",   "report", "report-file", "threads",
+                                                   "progress", "stats",  "quiet",       "shard"};
 
 geom::Shard parse_shard(const std::string& word) {
   geom::Shard shard;
@@ -68,25 +68,21 @@ CLI::Option* Sharding::add_to(CLI::App& app) {
                         "K/N: do only the K-th of N shares, and write a shard for skyway-join");
 }
 
-CLI::Option* Sharding::add_join_to(CLI::App& app, const std::string& what) {
-  return app.add_option("--join", join_, what)->type_name("SHARD")->excludes("--shard");
-}
-
 void Sharding::begin(const CLI::App& app, const Files& inputs, const Files& outputs) {
-  if (!asked() && join_.empty()) return;
-  if (asked()) shard_ = parse_shard(word_);
+  if (!asked()) return;
+  shard_ = parse_shard(word_);
   nlohmann::json options_given = nlohmann::json::object();
   nlohmann::json hashes = nlohmann::json::object();
   for (const auto& [name, file] : inputs) {
     if (file == "-") {
-      throw UsageError(fmt::format("{} reads its inputs from files: give a file for {}, not stdin",
-                                   asked() ? "--shard" : "--join", name));
+      throw UsageError(
+          fmt::format("--shard reads its inputs from files: give a file for {}, not stdin", name));
     }
     if (!file.empty()) hashes[name] = hash_of(file);
   }
   outputs_ = outputs;
   for (const auto& [name, file] : outputs) {
-    const bool beside = asked() && !file.empty() && name != "output";
+    const bool beside = !file.empty() && name != "output";
     if (beside) options_given[name] = true;  // that, not where
   }
   const auto is_input = [&](const std::string& value) {
@@ -106,18 +102,6 @@ void Sharding::begin(const CLI::App& app, const Files& inputs, const Files& outp
     }
   }
   work_ = {app.get_name(), SKYWAY_VERSION, options_given.dump(), hashes.dump()};
-}
-
-std::vector<geom::ShardFile> Sharding::shards() const {
-  if (join_.empty()) return {};
-  std::vector<geom::ShardFile> shards = open_shards(join_);
-  const std::string why = geom::difference(work_, shards.front().work);
-  if (!why.empty()) {
-    throw geom::InputError(
-        shards.front().archive.name(),
-        {.expected = "a shard of this command", .found = fmt::format("one with {}", why)});
-  }
-  return shards;
 }
 
 std::optional<Exit> Sharding::finished(const Common& common) const {

@@ -1,7 +1,7 @@
 #pragma once
 
 // --shard K/N: a process's share of a run, written to files that say what they are shares of, for
-// skyway-join or the tool's own --join.
+// skyway-join.
 
 #include <CLI/CLI.hpp>
 #include <optional>
@@ -24,13 +24,8 @@ std::vector<geom::ShardFile> open_shards(const std::vector<std::string>& files);
 class Sharding {
  public:
   CLI::Option* add_to(CLI::App& app);
-  CLI::Option* add_join_to(CLI::App& app, const std::string& what);  // after add_to()
   bool asked() const { return !word_.empty(); }
   geom::Shard shard() const { return shard_; }
-
-  // The shards to join, empty without --join. Throws geom::InputError where they are not all of
-  // them, or not those of this very command.
-  std::vector<geom::ShardFile> shards() const;
 
   using Files = std::vector<std::pair<std::string, std::string>>;  // by option; empty: not given
 
@@ -47,7 +42,6 @@ class Sharding {
 
  private:
   std::string word_;
-  std::vector<std::string> join_;
   geom::Shard shard_;
   geom::Work work_;
   Files outputs_;

@@ -17,7 +17,6 @@
 #include "geom/base/hashed_stream.h"
 #include "geom/base/notes.h"
 #include "geom/base/open_file.h"
-#include "geom/base/shard.h"
 #include "geom/cloud/cloud_format.h"
 #include "geom/cloud/cloud_place.h"
 #include "geom/cloud/point_cloud.h"
@@ -75,12 +74,6 @@ struct CloudFile {
   const RandomFile* random = {};  // null: no part of it can be read alone
 };
 
-// The points as columns, before they are boxes: what shards are joined from.
-struct ColumnDraft {
-  MapDraft map;  // its table is empty
-  ColumnGrid columns;
-};
-
 // Reads the cloud, once more where ground is told by its shape. Throws InputError where the file is
 // refused, where it is not known what its coordinates mean, where a possible obstacle cannot be
 // built and that is not allowed, and where no point is left; UsageError where a resolution meets a
@@ -91,9 +84,5 @@ MapDraft draft_cloud(const CloudFile& file, const CloudDraftOptions& options = {
 // The same of the file at `path`.
 MapDraft draft_cloud(const std::string& path, const CloudDraftOptions& options = {},
                      const Notes& notes = {}, const Execution& run = {});
-
-// The columns of a shard. The options are not in_memory().
-ColumnDraft draft_columns(const CloudFile& file, const CloudDraftOptions& options,
-                          const Shard& shard, const Notes& notes = {}, const Execution& run = {});
 
 }  // namespace geom

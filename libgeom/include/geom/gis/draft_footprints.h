@@ -14,7 +14,6 @@
 #include "geom/base/hashed_stream.h"
 #include "geom/base/notes.h"
 #include "geom/base/open_file.h"
-#include "geom/base/shard.h"
 #include "geom/gis/footprint_format.h"
 #include "geom/gis/footprint_source.h"
 #include "geom/map/map_draft.h"
@@ -38,7 +37,6 @@ struct FootprintDraftOptions {
   bool metres = false;  // numbers without a reference system are metres, whatever they look like
   bool allow_skipped = false;  // leave out possible obstacles that cannot be built
   MakeMapOptions map;
-  Shard shard = {};           // which share of the features the table has
   OpenFile open = open_file;  // of files whose sums the history has
 };
 

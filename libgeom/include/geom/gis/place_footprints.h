@@ -12,7 +12,6 @@
 #include <optional>
 #include <string>
 
-#include "geom/base/shard.h"
 #include "geom/gis/footprint_source.h"
 
 namespace geom::gis {
@@ -27,11 +26,8 @@ void project(Source& source, const Projector& projector, double slack);
 void lift(Source& source, const Terrain& terrain, const std::string& crs);
 
 // What is ground is solid: down to the lowest of all footprints, and to the floor of the map (in
-// the footprints' own units) where that is lower. Before keep_shard().
+// the footprints' own units) where that is lower.
 void sink_ground(std::vector<Footprint>& footprints, std::optional<double> floor);
-
-// Leaves the shard's features, each with all its footprints, which stand together.
-void keep_shard(std::vector<Footprint>& footprints, const Shard& shard);
 
 // What cover asks of its numbers, and that it ends: a footprint is cut into slabs no lower
 // than the slack (metres). Throws InputError(name, …).

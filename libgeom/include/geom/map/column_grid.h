@@ -9,11 +9,9 @@
 //   const geom::BoxTable boxes = grid.boxes("scan.xyz");
 //   assert(boxes.boxes[0] == (geom::Aabb{{0, 0, 0}, {1, 1, 1.5}}));
 
-#include <cstdint>
 #include <memory>
 #include <span>
 #include <string_view>
-#include <vector>
 
 #include "geom/base/execution.h"
 #include "geom/map/box_map.h"
@@ -42,20 +40,12 @@ class ColumnGrid {
   // The same of many points, on all threads. Faster than one by one, also on one thread.
   void add(std::span<const Vec3> points, double reach = 0, const Execution& run = {});
 
-  // The spans that stand in the columns, as rows of four: cell along x, cell along y, lowest step,
-  // highest step. add_span() adds one of them, of this or another grid of the same spec: a grid
-  // with the spans of several grids is the grid of all their points.
-  std::vector<std::int32_t> spans() const;
-  void add_span(std::int32_t x, std::int32_t y, std::int32_t low, std::int32_t high);
-
   // Closed boxes that contain every point added, columns of equal heights joined. With
   // unknown_blocked also: below and between a column's returns down to the lowest of all, and over
   // that to the highest in cells without returns, within the rectangle around all cells. Throws
   // InputError(source, …) where that rectangle has more than 2e8 cells. The same for any order of
   // the points. Empty without points.
   BoxTable boxes(std::string_view source, const Execution& run = {}) const;
-
-  std::size_t cells() const;  // with returns
 
  private:
   struct Impl;

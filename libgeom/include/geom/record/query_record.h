@@ -8,7 +8,6 @@
 //   assert(queries[0].id == "q1" && queries[0].to.x() == 9);
 
 #include <iosfwd>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -45,9 +44,5 @@ struct PlanQuery {
 // one id. They need the locator of a map: without one they are refused.
 std::vector<PlanQuery> read_plan_queries(std::istream& in, std::string_view source,
                                          const Locator* locator = nullptr);
-
-// Lengths by id, of CSV with columns id,length and, as above, `set`. Throws InputError as above and
-// for a length that is not > 0.
-std::map<std::string, double> read_reference_lengths(std::istream& in, std::string_view source);
 
 }  // namespace geom

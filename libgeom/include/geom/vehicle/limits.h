@@ -113,9 +113,6 @@ Limits stricter(const Limits& a, const Limits& b);
 // The first limit that `a` sets above `b`'s, if any. What `a` does not set is not asked.
 std::optional<Limit> first_above(const Limits& a, const Limits& b);
 
-// The first limit of `b` that `a` exceeds or lacks, if any: whether `a` allows more than `b`.
-std::optional<Limit> first_looser(const Limits& a, const Limits& b);
-
 // Where the limits of one flight come from.
 struct LimitSources {
   Limits options;           // of this run

@@ -17,7 +17,6 @@
 #include <vector>
 
 #include "geom/base/execution.h"
-#include "geom/base/shard.h"
 #include "traj/fleet/departure_span.h"
 #include "traj/fleet/fleet_flight.h"
 #include "traj/together/near_pairs.h"
@@ -39,16 +38,11 @@ struct FleetConflicts {
   }
 };
 
-// forbidden_departures() of the pairs of which boxes of their pieces meet, each box lasting from
+// The forbidden differences of the pairs of which boxes of their pieces meet, each box lasting from
 // its piece's time after the earliest departure to that after the latest. So the cost grows with
 // the number of flights and of near pairs. Two flights of one number are no pair, and neither are
-// two settled ones: nothing is to be chosen between them. `shard`: only its share of the pairs that
-// are looked at. The same for any number of threads.
+// two settled ones: nothing is to be chosen between them. The same for any number of threads.
 FleetConflicts fleet_conflicts(std::span<const FleetFlight> flights, const Spacing& spacing,
-                               Parked parked, const geom::Shard& shard = {},
-                               const geom::Execution& run = {});
-
-// What all shards found, in the order of the shards. `shards` must not be empty.
-FleetConflicts joined(std::span<const FleetConflicts> shards);
+                               Parked parked, const geom::Execution& run = {});
 
 }  // namespace traj

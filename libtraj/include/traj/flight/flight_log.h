@@ -65,12 +65,11 @@ void write_flight(std::ostream& out, const FlightLog& log);
 // a byte order mark at an end.
 void write_flight_log(std::ostream& out, std::span<const FlightLog> logs);
 
-// Also of logs without the column `map`, as earlier releases wrote them. Throws
-// geom::InputError(name, line, …) where the text is not such a table: another header, a map in a
-// row that is not the first of its flight, a row after one that ends its flight, a number that is
-// not finite or out of its range, time or position missing, a vector of which only a part is there,
-// a quaternion whose length is not 1 to 1e-6, times that do not grow, rows of a flight that do not
-// stand together, or no row at all.
+// Throws geom::InputError(name, line, …) where the text is not such a table: another header, a map
+// in a row that is not the first of its flight, a row after one that ends its flight, a number that
+// is not finite or out of its range, time or position missing, a vector of which only a part is
+// there, a quaternion whose length is not 1 to 1e-6, times that do not grow, rows of a flight that
+// do not stand together, or no row at all.
 std::vector<FlightLog> read_flight_log(std::istream& in, std::string_view name);
 
 }  // namespace traj

@@ -7,14 +7,13 @@
 //   traj::FlightOptions base{.quadrotor = *traj::quadrotor_of(tello->airframe)};
 //   base.gains = *tello->airframe.gains;
 //   base.wind.mean = {2, 0, 0};
-//   const auto runs = traj::fly_runs(traj::ReferenceTrack(trajectory), base, {.runs = 2}, {}, {});
+//   const auto runs = traj::fly_runs(traj::ReferenceTrack(trajectory), base, {.runs = 2}, {});
 //   const traj::TrackingTube tube = traj::tube_of(runs);
 
 #include <span>
 #include <vector>
 
 #include "geom/base/execution.h"
-#include "geom/base/shard.h"
 #include "traj/flight/tracking.h"
 
 namespace traj {
@@ -47,10 +46,9 @@ struct RunOutcome {
 // Periods of a trajectory of this duration.
 std::size_t tube_periods(double duration);
 
-// The outcomes of the runs that the shard takes, ascending; the same for any number of threads.
+// The outcomes of all runs, in their order; the same for any number of threads.
 std::vector<RunOutcome> fly_runs(const ReferenceTrack& track, const FlightOptions& base,
-                                 const MonteCarloOptions& options, const geom::Shard& shard,
-                                 const geom::Execution& run);
+                                 const MonteCarloOptions& options, const geom::Execution& run);
 
 struct TrackingTube {
   std::size_t lost = 0;            // flights; with any, the rest is empty

@@ -20,7 +20,7 @@
 #include "geom/base/execution.h"
 #include "geom/base/shard.h"
 #include "geom/record/scenes.h"
-#include "traj/flight/run_part.h"
+#include "traj/flight/monte_carlo.h"
 #include "traj/flight/tune.h"
 #include "traj/flight/vehicle_profile.h"
 #include "traj/record/flight_report.h"
@@ -64,13 +64,6 @@ class SimulatedFlights {
   std::size_t read(std::istream& in, const std::string& source, const geom::Shard& shard,
                    const LookAt& look_at = {});
 
-  // The runs of a share, of each solved trajectory. There must be a spread.
-  std::vector<std::vector<RunOutcome>> fly_runs(const geom::Shard& shard,
-                                                const geom::Execution& run) const;
-
-  // Runs that need not be flown. Throws InputError where they are not of these trajectories.
-  void take(JoinedRuns runs);
-
   // Flies all, and gives each to `told`, in order.
   void fly(const geom::Execution& run, const std::function<void(SimulatedFlight)>& told);
 
@@ -109,7 +102,6 @@ class SimulatedFlights {
   geom::Scenes* scenes_;
   std::string source_;
   std::vector<Entry> entries_;
-  std::optional<JoinedRuns> joined_;
 };
 
 }  // namespace traj

@@ -26,9 +26,6 @@ namespace {
 constexpr std::string_view kEnuHeader =
     "t_s,east_m,north_m,up_m,v_east_m_s,v_north_m_s,v_up_m_s,a_east_m_s2,a_north_m_s2,a_up_m_s2,"
     "yaw_rad,yaw_rate_rad_s";
-// The same columns in earlier releases.
-constexpr std::string_view kOlderEnuHeader =
-    "t_s,x_m,y_m,z_m,vx_m_s,vy_m_s,vz_m_s,ax_m_s2,ay_m_s2,az_m_s2,yaw_rad,yaw_rate_rad_s";
 constexpr std::string_view kNedHeader =
     "t_s,n_m,e_m,d_m,vn_m_s,ve_m_s,vd_m_s,an_m_s2,ae_m_s2,ad_m_s2,yaw_rad,yaw_rate_rad_s";
 constexpr std::size_t kColumns = 12;
@@ -88,7 +85,7 @@ Row parse_row(std::string_view text, std::string_view source, std::size_t line) 
 }
 
 SetpointAxes axes_of_header(std::string_view text, std::string_view source) {
-  if (text == kEnuHeader || text == kOlderEnuHeader) return SetpointAxes::enu;
+  if (text == kEnuHeader) return SetpointAxes::enu;
   if (text == kNedHeader) return SetpointAxes::ned;
   throw geom::InputError(source, 1,
                          {.expected = fmt::format("the header {} or {}", kEnuHeader, kNedHeader),

@@ -1,12 +1,11 @@
 #include <sstream>
 
 #include "fuzz/readers.h"
-#include "geom/map/map_part.h"
+#include "geom/archive/shard_file.h"
 #include "plan/lattice/lattice_file.h"
 #include "plan/lattice/part_file.h"
 #include "plan/roadmap/part_file.h"
 #include "plan/roadmap/roadmap_file.h"
-#include "traj/flight/run_part.h"
 
 namespace {
 
@@ -26,12 +25,6 @@ void join(const geom::ShardFile& shard) {
     std::ostringstream joined;
     plan::write_roadmap(joined, {&part, 1});
     plan::verify_roadmap(part);
-  } else if (geom::is_map_part(shard) &&
-             shard.content.find("\"unknown_blocked\":1") == std::string::npos) {
-    geom::join_map({&shard, 1});
-  } else if (shard.kind == "runs" && shard.shard.count == 1) {
-    const traj::JoinedRuns runs({shard});
-    for (std::size_t i = 0; i < runs.trajectories(); ++i) runs.outcomes(i, 0.75);
   }
 }
 

@@ -58,16 +58,6 @@ TEST(Setpoints, NedIsNorthEastDownWithYawFromNorth) {
             "0.5,2,1,-3,5,4,-6,8,7,-9,1.5707963267948966,-0.25\n");
 }
 
-TEST(Setpoints, AreReadWithTheNamesOfEarlierReleases) {
-  std::istringstream in(
-      "t_s,x_m,y_m,z_m,vx_m_s,vy_m_s,vz_m_s,ax_m_s2,ay_m_s2,az_m_s2,yaw_rad,yaw_rate_rad_s\n"
-      "0,1,2,3,4,5,6,7,8,9,0.5,0\n1,2,2,3,4,5,6,7,8,9,0.5,0\n");
-  const auto read = read_setpoints(in, "s.csv");
-  ASSERT_EQ(read.size(), 2u);
-  EXPECT_EQ(read[0].state.position, Vec3(1, 2, 3));
-  EXPECT_EQ(read[0].state.acceleration, Vec3(7, 8, 9));
-}
-
 TEST(Setpoints, BadTablesAreRefused) {
   const auto read = [](std::istream& in) { read_setpoints(in, "s.csv"); };
   const std::string head =

@@ -1,9 +1,8 @@
-#include "fleet/forbidden_departures.h"
+#include "fleet/forbidden_between.h"
 
 #include <algorithm>
 #include <limits>
 
-#include "fleet/forbidden_between.h"
 #include "fleet/meeting_times.h"
 #include "geom/base/rounding.h"
 
@@ -105,14 +104,6 @@ std::vector<DepartureSpan> forbidden_between(const Course& first, const Course& 
   std::vector<DepartureSpan> out;
   for (const Zone& zone : zones) Search(first, second, zone, window).run(out);
   return united(std::move(out));
-}
-
-std::vector<DepartureSpan> forbidden_departures(const Trajectory& first, const Trajectory& second,
-                                                std::span<const Zone> zones, Parked parked,
-                                                const DepartureSpan& window) {
-  const Bend bend = bend_for(zones);
-  return forbidden_between(course_of(first, parked, bend), course_of(second, parked, bend), zones,
-                           window);
 }
 
 }  // namespace traj

@@ -1,4 +1,4 @@
-#include "fleet/forbidden_departures.h"
+#include "fleet/forbidden_between.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@
 namespace traj {
 namespace {
 
+using testing::forbidden_departures;
 using testing::least_share;
 using testing::random_flight;
 
@@ -29,7 +30,7 @@ bool holds(const std::vector<DepartureSpan>& spans, double d) {
 
 const std::vector<Zone> kZones{cylinder(5, 2)};
 
-TEST(ForbiddenDepartures, OfTwoThatCross) {
+TEST(ForbiddenBetween, OfTwoThatCross) {
   const auto spans = forbidden_departures(steady({-100, 0, 0}, {100, 0, 0}),
                                           steady({0, -100, 0}, {0, 100, 0}), kZones, Parked::gone);
   // At difference d they are |10 d| / sqrt 2 apart when nearest.
@@ -41,13 +42,13 @@ TEST(ForbiddenDepartures, OfTwoThatCross) {
   EXPECT_NEAR(spans[0].high, most, 0.03);
 }
 
-TEST(ForbiddenDepartures, NoneForThoseOnOtherHeights) {
+TEST(ForbiddenBetween, NoneForThoseOnOtherHeights) {
   EXPECT_TRUE(forbidden_departures(steady({-100, 0, 0}, {100, 0, 0}),
                                    steady({0, -100, 2.1}, {0, 100, 2.1}), kZones, Parked::gone)
                   .empty());
 }
 
-TEST(ForbiddenDepartures, OneAfterTheOtherOnTheSameWay) {
+TEST(ForbiddenBetween, OneAfterTheOtherOnTheSameWay) {
   const Trajectory flight = steady({-100, 0, 0}, {100, 0, 0});
   const auto spans = forbidden_departures(flight, flight, kZones, Parked::gone);
   ASSERT_EQ(spans.size(), 1u);
@@ -55,7 +56,7 @@ TEST(ForbiddenDepartures, OneAfterTheOtherOnTheSameWay) {
   EXPECT_NEAR(spans[0].high, 0.5, 0.02);
 }
 
-TEST(ForbiddenDepartures, StandingInTheWayHasNoEnd) {
+TEST(ForbiddenBetween, StandingInTheWayHasNoEnd) {
   const Trajectory flight = steady({-100, 0, 0}, {100, 0, 0});
   const Trajectory away = steady({0, 0, 0}, {0, 200, 0});  // stands in the way until it departs
   const auto spans = forbidden_departures(flight, away, kZones, Parked::pad);
@@ -67,13 +68,13 @@ TEST(ForbiddenDepartures, StandingInTheWayHasNoEnd) {
   EXPECT_LE(forbidden_departures(flight, away, kZones, Parked::gone)[0].high, 10.6);
 }
 
-TEST(ForbiddenDepartures, TheSamePadForAllTimeIsNever) {
+TEST(ForbiddenBetween, TheSamePadForAllTimeIsNever) {
   const auto spans = forbidden_departures(steady({0, 0, 0}, {200, 0, 0}),
                                           steady({0, 0, 0}, {-200, 0, 0}), kZones, Parked::pad);
   EXPECT_EQ(spans, (std::vector<DepartureSpan>{{-kForEver, kForEver}}));
 }
 
-TEST(ForbiddenDepartures, AreCutToTheWindow) {
+TEST(ForbiddenBetween, AreCutToTheWindow) {
   const Trajectory flight = steady({-100, 0, 0}, {100, 0, 0});
   const auto spans = forbidden_departures(flight, flight, kZones, Parked::gone, {0.1, 0.2});
   EXPECT_EQ(spans, (std::vector<DepartureSpan>{{0.1, 0.2}}));
@@ -82,7 +83,7 @@ TEST(ForbiddenDepartures, AreCutToTheWindow) {
 
 // Every difference that samples find too near is in the set, and the exact check of pairs proves
 // every difference beside it. What is in it and not too near is within a little of the zone.
-TEST(ForbiddenDepartures, AgreeWithSamplesAndWithTheProof) {
+TEST(ForbiddenBetween, AgreeWithSamplesAndWithTheProof) {
   geom::SplitMix64 random(4);
   int free = 0;
   int taken = 0;
@@ -113,7 +114,7 @@ TEST(ForbiddenDepartures, AgreeWithSamplesAndWithTheProof) {
 }
 
 // Just beside the ends of the intervals, where it is closest.
-TEST(ForbiddenDepartures, AreProvedRightBesideTheirEnds) {
+TEST(ForbiddenBetween, AreProvedRightBesideTheirEnds) {
   geom::SplitMix64 random(5);
   int ends = 0;
   for (int k = 0; k < 200; ++k) {
