@@ -1,24 +1,20 @@
-// tube_agreement CASES FLIGHTS [SEED] [TRAJECTORIES.jsonl or -] [geometric|cascade]: proves tubes
-// of CASES random flights (vehicle, trajectory, winds, gusts, masses), or of the file's
-// trajectories with random disturbances of quad2kg, and flies each FLIGHTS times under disturbances
-// that are allowed: by chance, from one end to the other, and fitted to the vehicle's response.
+// tube_agreement CASES FLIGHTS [SEED] [geometric|cascade]: proves tubes of CASES random flights
+// (vehicle, trajectory, winds, gusts, masses), and flies each FLIGHTS times under disturbances that
+// are allowed: by chance, from one end to the other, and fitted to the vehicle's response.
 // Exit 1 if a flight leaves its tube or saturates a motor. Also says how near to the tube's edge
 // the flights came: 1 over that bounds how far too wide the tube is.
 
 #include <fmt/format.h>
 
 #include <cstdlib>
-#include <fstream>
 #include <map>
 #include <string>
 
 #include "geom/base/parallel.h"
 #include "geom/base/percentile.h"
 #include "geom/base/thread_seconds.h"
-#include "geom/text/json_fields.h"
 #include "traj/disturbed_flight.h"
 #include "traj/flight/vehicle_profile.h"
-#include "traj/record/trajectory_record.h"
 
 namespace {
 
@@ -97,35 +93,6 @@ Case random_case(std::uint64_t seed, traj::ControlLaw law) {
   return c;
 }
 
-std::vector<Case> cases_of(const std::string& file, int count, std::uint64_t seed,
-                           traj::ControlLaw law) {
-  std::vector<Case> out;
-  if (file.empty()) {
-    for (int i = 0; i < count; ++i) out.push_back(random_case(seed * 1000003 + i, law));
-    return out;
-  }
-  std::ifstream in(file);
-  std::size_t number = 0;
-  for (std::string line; std::getline(in, line);) {
-    const auto record = traj::read_trajectory_record(geom::JsonFields(line, file, ++number));
-    if (record.status != traj::TrajectoryStatus::solved) continue;
-    if (static_cast<int>(out.size()) == count) break;
-    Random random(seed * 1000003 + out.size());
-    Case c{"quad2kg", record.trajectory, options_of("quad2kg", law)};
-    c.disturbances = {.wind = random.uniform(0, 4) * traj::testing::direction(random),
-                      .wind_spread = 0.3,
-                      .gust_most = 1,
-                      .mass_error = 0.01};
-    if (law == traj::ControlLaw::cascade) {
-      c.disturbances.wind_spread = 0.2;
-      c.disturbances.gust_most = 0.5;
-      c.disturbances.mass_error = 0.005;
-    }
-    out.push_back(std::move(c));
-  }
-  return out;
-}
-
 Outcome outcome(const Case& c, int flights, std::uint64_t seed) {
   const traj::ReferenceTrack track(c.trajectory);
   Outcome out;
@@ -159,11 +126,11 @@ int main(int argc, char** argv) {
   const int count = argc > 1 ? std::atoi(argv[1]) : 100;
   const int flights = argc > 2 ? std::atoi(argv[2]) : 30;
   const std::uint64_t seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
-  const std::string file = argc > 4 && std::string(argv[4]) != "-" ? argv[4] : "";
-  const auto law = argc > 5 ? geom::value_of(traj::kControlLawWords, argv[5])
+  const auto law = argc > 4 ? geom::value_of(traj::kControlLawWords, argv[4])
                             : std::optional(traj::ControlLaw::geometric);
   if (!law) return 2;
-  const std::vector<Case> cases = cases_of(file, count, seed, *law);
+  std::vector<Case> cases;
+  for (int i = 0; i < count; ++i) cases.push_back(random_case(seed * 1000003 + i, *law));
   std::vector<Outcome> outcomes(cases.size());
   geom::parallel_for(cases.size(), {}, [&](std::size_t i) {
     outcomes[i] = outcome(cases[i], flights, seed * 7919 + i);
