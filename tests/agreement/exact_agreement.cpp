@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <string>
 
 #include "support/touch_case.h"
@@ -18,35 +17,22 @@ struct Counts {
   int judged = 0;  // of the exact one
   int fast = 0;    // accepted
   int exact = 0;   // accepted
-  double fast_s = 0;
-  double exact_s = 0;
 };
-
-template <class F>
-bool timed(double& seconds, const F& accepts) {
-  const auto start = std::chrono::steady_clock::now();
-  const bool ok = accepts();
-  seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return ok;
-}
 
 void judge(support::TouchCase c, bool exactly, support::Random& random, Counts& counts) {
   support::add_others(random, c);
   const geom::CollisionScene scene = c.scene();
   ++counts.cases;
-  counts.fast +=
-      timed(counts.fast_s, [&] { return check(scene, c.trajectory, traj::Limits{}).ok; });
+  counts.fast += check(scene, c.trajectory, traj::Limits{}).ok;
   if (!exactly) return;
   ++counts.judged;
-  counts.exact += timed(counts.exact_s, [&] {
-    return check_exactly({scene.map(), scene.vehicle(), scene.margin(), {}}, c.trajectory).ok;
-  });
+  counts.exact +=
+      check_exactly({scene.map(), scene.vehicle(), scene.margin(), {}}, c.trajectory).ok;
 }
 
 void print(const std::string& what, const Counts& c) {
-  fmt::print("{:37}fast: {:7} of {:7} accepted, {:.3f} ms a case  exact: {:6} of {:6}, {:.2f} ms\n",
-             what, c.fast, c.cases, 1e3 * c.fast_s / c.cases, c.exact, c.judged,
-             1e3 * c.exact_s / std::max(1, c.judged));
+  fmt::print("{:37}fast: {:7} of {:7} accepted  exact: {:6} of {:6}\n", what, c.fast, c.cases,
+             c.exact, c.judged);
 }
 
 }  // namespace

@@ -15,8 +15,9 @@
 
 #include "geom/collision/collision.h"
 #include "support/random_city.h"
-#include "traj/mission/mavlink/mission_flight.h"
+#include "support/small_map.h"
 #include "traj/mission/judge/judge.h"
+#include "traj/mission/mavlink/mission_flight.h"
 
 namespace in_the_way {
 
@@ -70,11 +71,8 @@ inline geom::Aabb box_around(Random& random, const Vec3& p, double depth) {
 
 // Over flat ground at that z, which is the floor of the bounds.
 inline geom::CollisionScene scene_of(const std::optional<geom::Aabb>& box, double ground) {
-  geom::BoxMapSpec spec;
-  spec.bounds = {{-1000, -1000, ground}, {1000, 1000, 200}};
-  spec.bounds_from = "option";
-  geom::BoxTable table = box ? support::table_of({*box}) : geom::BoxTable{};
-  return {geom::BoxMap(spec, table), geom::Vehicle{"box", kHalf}, 0};
+  const std::vector<geom::Aabb> boxes(box ? 1 : 0, box.value_or(geom::Aabb{}));
+  return {support::map_of({{-1000, -1000, ground}, {1000, 1000, 200}}, boxes), {"box", kHalf}, 0};
 }
 
 // A square, or a circle about home, that the vehicle's box breaks by `depth` at the point.
@@ -96,8 +94,8 @@ inline bool accepted(const geom::CollisionScene& scene, const traj::FlownMission
   return traj::judge(scene, {mission}, {}, traj::Clearance::left_out).ok;
 }
 
-// COUNT missions over the ground that `make(random, i)` gives, each without and with what is put into its way. The
-// exit code: 1 where one passes with it, or does not without.
+// COUNT missions over the ground that `make(random, i)` gives, each without and with what is put
+// into its way. The exit code: 1 where one passes with it, or does not without.
 template <class Make>
 int run(int argc, char** argv, double ground, const Make& make) {
   const int count = argc > 1 ? std::atoi(argv[1]) : 1000;
@@ -114,8 +112,9 @@ int run(int argc, char** argv, double ground, const Make& make) {
     ++tried[attack.what];
     if (attack.fence) trial.flown.fences.push_back(fence_at(random, attack, depth));
     const bool passed =
-        attack.fence ? accepted(empty, trial.flown)
-                     : accepted(scene_of(box_around(random, attack.point, depth), ground), trial.flown);
+        attack.fence
+            ? accepted(empty, trial.flown)
+            : accepted(scene_of(box_around(random, attack.point, depth), ground), trial.flown);
     if (!passed) continue;
     if (++wrong <= 10) {
       fmt::print("wrong: {} {}: {} m deep\n{}", i, attack.what, depth, trial.text);

@@ -1,4 +1,4 @@
-// mesh_check FILE SLACK [shell|solid] [COPIES]: boxes of an OBJ file's triangles against what they
+// mesh_check FILE SLACK [shell|solid]: boxes of an OBJ file's triangles against what they
 // promise. A million random points of the triangles in rational numbers, none outside the boxes; of
 // each box a proof that it reaches no further than the slack. And the time, beside reading alone.
 
@@ -37,22 +37,6 @@ double timed(const F& f) {
     least = std::min(least, cpu_seconds() - before);
   }
   return least;
-}
-
-// Beside each other, 1 km apart, each with parts of its own.
-TriangleMesh copied(const geom::Model& model, int copies) {
-  TriangleMesh out;
-  for (int i = 0; i < copies; ++i) {
-    const auto first = static_cast<std::uint32_t>(out.vertices.size());
-    const auto part = static_cast<std::uint32_t>(model.parts.size()) * static_cast<unsigned>(i);
-    for (const Vec3& v : model.mesh.vertices) out.vertices.push_back(v + Vec3(1000.0 * i, 0, 0));
-    for (geom::MeshTriangle t : model.mesh.triangles) {
-      for (std::uint32_t& corner : t.corners) corner += first;
-      t.part += part;
-      out.triangles.push_back(t);
-    }
-  }
-  return out;
 }
 
 std::size_t points_outside(const TriangleMesh& mesh, const geom::TriangleCover& made, int points) {
@@ -94,14 +78,13 @@ std::size_t boxes_too_far(const TriangleMesh& mesh, const geom::TriangleCover& m
 
 int main(int argc, char** argv) {
   if (argc < 3) {
-    fmt::print(stderr, "mesh_check FILE.obj SLACK [shell|solid] [COPIES]\n");
+    fmt::print(stderr, "mesh_check FILE.obj SLACK [shell|solid]\n");
     return 2;
   }
   geom::TriangleCoverOptions options;
   options.slack = std::atof(argv[2]);
   const bool solid = argc > 3 && std::string(argv[3]) == "solid";
   if (solid) options.fill = geom::SolidFill::inside;
-  const int copies = argc > 4 ? std::atoi(argv[4]) : 1;
   geom::Model model;
   const double reading = timed([&] {
     std::ifstream in(argv[1]);
@@ -111,7 +94,7 @@ int main(int argc, char** argv) {
     Assimp::Importer importer;
     if (!importer.ReadFile(argv[1], 0)) fmt::print("assimp could not read it\n");
   });
-  const TriangleMesh mesh = copied(model, copies);
+  const TriangleMesh& mesh = model.mesh;
   geom::TriangleCover made;
   const double covering = timed([&] { made = geom::cover_triangles(mesh, options); });
   fmt::print(
@@ -119,7 +102,6 @@ int main(int argc, char** argv) {
       "triangle)\n",
       mesh.triangles.size(), made.boxes.size(), reading, assimp, covering,
       1e9 * covering / static_cast<double>(mesh.triangles.size()));
-  if (copies > 1) return 0;
   const std::size_t outside = points_outside(mesh, made, 1000000);
   const std::size_t far = boxes_too_far(mesh, made, options.slack, solid);
   fmt::print("of 1000000 points outside the boxes: {}; of {} boxes beyond the slack: {}\n", outside,

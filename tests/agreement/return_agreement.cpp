@@ -14,6 +14,7 @@
 #include <string>
 
 #include "geom/base/parallel.h"
+#include "support/small_map.h"
 #include "support/thin_return.h"
 #include "traj/curve/control_points.h"
 #include "traj/mission/formats/wpl.h"
@@ -47,12 +48,9 @@ struct Case {
   std::string flight;
 
   geom::CollisionScene scene(const std::vector<Aabb>& more = {}) const {
-    geom::BoxMapSpec spec;
-    spec.bounds = {Vec3(-4000, -4000, 0), Vec3(4000, 4000, 4000)};
-    spec.bounds_from = "option";
     std::vector<Aabb> all = boxes;
     all.insert(all.end(), more.begin(), more.end());
-    return {geom::BoxMap(spec, support::table_of(all)), geom::Vehicle{"box", half}, margin};
+    return {support::map_of({{-4000, -4000, 0}, {4000, 4000, 4000}}, all), {"box", half}, margin};
   }
   const traj::ReturnModel& attacked() const { return task.models[model]; }
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-// The binary tree that the peers of the collision structure are made of: each node is split where
+// The binary tree that the peer of the collision structure is made of: each node is split where
 // the surface area heuristic costs least, in bins of the longest way of the centres (Wald 2007).
 
 #include <algorithm>
@@ -34,8 +34,8 @@ class BinnedTree {
     std::uint32_t child = 0;  // the first of two; none of a single box
   };
 
-  // A part is as dear as the `block`s of boxes that it fills: 1 for leaves of any size, and the
-  // width of a node where a whole node is looked at together.
+  // A part is as dear as the `block`s of boxes that it fills: the width of a node, which is looked
+  // at as a whole.
   BinnedTree(std::span<const Aabb> boxes, std::size_t block) : block_(block), order_(boxes.size()) {
     std::iota(order_.begin(), order_.end(), 0u);
     items_.reserve(boxes.size());

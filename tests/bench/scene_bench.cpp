@@ -1,6 +1,6 @@
-// scene_bench MAP [QUERIES [SEED]]: the collision structure beside a tree of eight, a binary tree
-// and Embree alone, on the same grown boxes and questions, through the same exact predicates, in
-// turns of a few hundred questions. Prints thread CPU time a question, the ratio to the best peer,
+// scene_bench MAP [QUERIES [SEED]]: the collision structure beside a tree of eight and Embree
+// alone, on the same grown boxes and questions, through the same exact predicates, in turns of a
+// few hundred questions. Prints thread CPU time a question, the ratio to the best peer,
 // and how many answers differ. Vehicle box:1,1,1.
 
 #include <fmt/format.h>
@@ -14,7 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include "binary_peer.h"
 #include "embree_peer.h"
 #include "geom/base/random.h"
 #include "geom/base/thread_seconds.h"
@@ -65,7 +64,7 @@ std::vector<Question> questions(const Aabb& bounds, bool scattered, std::size_t 
 // The sum of the answers in a turn, so that they can be compared.
 using Ask = std::function<double(const Question&)>;
 
-constexpr std::size_t kAsked = 4;
+constexpr std::size_t kAsked = 3;
 
 struct Asked {
   const char* what;
@@ -119,7 +118,6 @@ int main(int argc, char** argv) {
   for (std::size_t i = 0; i < map.size(); ++i) grown.push_back(scene.grown(i));
   const Vec3 half(20, 20, 5);  // of a region
   const bench::TreePeer eight(grown);
-  const bench::BinaryPeer two(grown);
   const bench::EmbreePeer embree(grown, half);
   const Aabb all = *geom::bounds(grown);
   const double start = geom::thread_seconds();
@@ -129,14 +127,13 @@ int main(int argc, char** argv) {
   }
   fmt::print("{} boxes; trees {} MB, touched in {:.2f} s\n", map.size(),
              scene.counts().most_bytes >> 20, geom::thread_seconds() - start);
-  fmt::print("{:13} {:9} | {:>7} {:>7} {:>7} {:>7} | ratio | differ\n", "ns", "", "Skyway", "eight",
-             "two", "Embree");
+  fmt::print("{:13} {:9} | {:>7} {:>7} {:>7} | ratio | differ\n", "ns", "", "Skyway", "eight",
+             "Embree");
   const auto around = [&](const Question& q) { return Aabb{q.a - half, q.a + half}; };
-  // `ask(peer, q)` of each of the three peers.
+  // `ask(peer, q)` of each of the two peers.
   const auto beside = [&](const char* what, Ask ours, const auto& ask) {
     return Asked{what,
                  {std::move(ours), [&eight, ask](const Question& q) { return ask(eight, q); },
-                  [&two, ask](const Question& q) { return ask(two, q); },
                   [&embree, ask](const Question& q) { return ask(embree, q); }}};
   };
   const Asked kinds[] = {

@@ -1,5 +1,5 @@
-// bound MAP QUERIES GAP [known]: lower bounds on the lengths of the paths that the planner finds
-// without a roadmap, or of the best known, for box:1,1,1. For each set of queries (their ids
+// bound MAP QUERIES GAP: lower bounds on the lengths of the paths that the planner finds without a
+// roadmap, for box:1,1,1. For each set of queries (their ids
 // without the number): how many closed, how many paths became shorter on the way, how many bounds
 // lie above a best known length (none may), the largest gap, and thread CPU milliseconds of asking,
 // the path not included, the least of 3 times: median, 95th percentile and the most. The first
@@ -41,7 +41,7 @@ struct Set {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 4 && argc != 5) return 2;
+  if (argc != 4) return 2;
   const auto map = geom::read_box_map(geom::ArrayArchive::map(argv[1]));
   const geom::CollisionScene scene(map, {"box:1,1,1", {1, 1, 1}}, 0);
   std::ifstream in(argv[2]);
@@ -53,8 +53,7 @@ int main(int argc, char** argv) {
   std::map<std::string, Set> sets;
   bool first = true;
   for (const geom::PlanQuery& query : queries) {
-    const double length = argc == 5 ? query.best_known.value_or(0)
-                                    : geom::length(planner.plan(query.from, query.to).path);
+    const double length = geom::length(planner.plan(query.from, query.to).path);
     if (length == 0) continue;
     const double begin = geom::thread_seconds();
     if (first) {

@@ -1,19 +1,16 @@
-// composition MAP QUERIES | composition MAP METRES COUNT SEED: answers of the planner beside paths
-// that are composed of three answers of its own: climb over 300 to 2,000 m, go level just above all
-// boxes on the straight line, descend over as much; the shortest of these. For box:1,1,1, nothing
-// prepared. Queries are read from a file, or drawn with street-level ends so far apart that do not
-// see each other. For each set and quality: thread CPU milliseconds (median, 99th percentile and
-// most), the length over the straight line, over the composed path and over the best known one
-// (mean, 99th percentile and most), and how many paths are not free; the first twenty queries' also
-// by brute force, on maps of up to two million boxes.
+// composition MAP METRES COUNT SEED: answers of the planner beside paths that are composed of three
+// answers of its own: climb over 300 to 2,000 m, go level just above all boxes on the straight
+// line, descend over as much; the shortest of these. For box:1,1,1, nothing prepared. Queries are
+// drawn with street-level ends so far apart that do not see each other. For each quality: thread
+// CPU milliseconds (median, 99th percentile and most), the length over the straight line and over
+// the composed path (mean, 99th percentile and most), and how many paths are not free; the first
+// twenty queries' also by brute force, on maps of up to two million boxes.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <fstream>
-#include <map>
 #include <numeric>
 #include <optional>
 #include <vector>
@@ -31,11 +28,7 @@ namespace {
 using geom::Polyline;
 using geom::Vec3;
 
-std::vector<geom::PlanQuery> queries_of(const geom::CollisionScene& scene, int argc, char** argv) {
-  if (argc == 3) {
-    std::ifstream in(argv[2]);
-    return geom::read_plan_queries(in, argv[2]);
-  }
+std::vector<geom::PlanQuery> queries_of(const geom::CollisionScene& scene, char** argv) {
   const double length = std::atof(argv[2]);
   plan::bench::QuerySet drawn(scene, {.ends = plan::bench::Ends::street_blocked,
                                       .length = std::pair(length, length + 1),
@@ -43,7 +36,6 @@ std::vector<geom::PlanQuery> queries_of(const geom::CollisionScene& scene, int a
   std::vector<geom::PlanQuery> out;
   for (int i = 0; i < std::atoi(argv[3]); ++i) {
     out.push_back(drawn.at(static_cast<std::size_t>(i)));
-    out.back().id = fmt::format("drawn-{}", i);
   }
   return out;
 }
@@ -83,7 +75,7 @@ bool is_free(const geom::CollisionScene& scene, const Polyline& path) {
 }
 
 struct Column {
-  std::vector<double> ms, straight, composed, known;
+  std::vector<double> ms, straight, composed;
   std::size_t missing = 0;
   std::size_t wrong = 0;
 };
@@ -95,12 +87,11 @@ std::string spread(const std::vector<double>& ratios) {
                      geom::percentile(ratios, 0.99), geom::percentile(ratios, 1));
 }
 
-void print(const std::string& set, const std::string& name, const Column& column) {
+void print(const std::string& name, const Column& column) {
   if (column.ms.empty()) return;
-  fmt::print("{:14} {:8} ms {:8.3f} {:8.3f} {:8.3f}  straight {}  composed {}  known {}{}{}\n", set,
-             name, geom::percentile(column.ms, 0.5), geom::percentile(column.ms, 0.99),
+  fmt::print("{:8} ms {:8.3f} {:8.3f} {:8.3f}  straight {}  composed {}{}{}\n", name,
+             geom::percentile(column.ms, 0.5), geom::percentile(column.ms, 0.99),
              geom::percentile(column.ms, 1), spread(column.straight), spread(column.composed),
-             spread(column.known),
              column.missing ? fmt::format("  {} MISSING", column.missing) : "",
              column.wrong ? fmt::format("  {} NOT FREE", column.wrong) : "");
 }
@@ -108,11 +99,6 @@ void print(const std::string& set, const std::string& name, const Column& column
 constexpr std::array kClimbs = {300.0, 600.0, 1000.0, 2000.0};  // metres
 constexpr std::size_t kBrute = 20;                              // queries
 constexpr std::size_t kBruteBoxes = 2'000'000;
-
-struct Answers {
-  Column composed;
-  std::array<Column, 3> by_quality;
-};
 
 void add(Column& column, const geom::CollisionScene& scene, const geom::PlanQuery& query,
          const Polyline& path, double ms, double composed) {
@@ -128,19 +114,18 @@ void add(Column& column, const geom::CollisionScene& scene, const geom::PlanQuer
   const double length = geom::length(path);
   column.straight.push_back(length / (query.to - query.from).norm());
   if (composed > 0) column.composed.push_back(length / composed);
-  if (query.best_known) column.known.push_back(length / *query.best_known);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 3 && argc != 5) return 2;
+  if (argc != 5) return 2;
   const auto map = geom::read_box_map(geom::ArrayArchive::map(argv[1]));
   const geom::CollisionScene scene(map, {"box:1,1,1", {1, 1, 1}}, 0);
   plan::Planner planner(scene);
-  std::map<std::string, Answers> sets;
-  for (const geom::PlanQuery& query : queries_of(scene, argc, argv)) {
-    Answers& set = sets[query.id.substr(0, query.id.rfind('-'))];
+  Column put_together;
+  std::array<Column, 3> by_quality;
+  for (const geom::PlanQuery& query : queries_of(scene, argv)) {
     Polyline best;
     double composing = 0;
     for (const double climb : kClimbs) {
@@ -153,24 +138,18 @@ int main(int argc, char** argv) {
       composing = seconds;
     }
     const double shortest = best.empty() ? 0 : geom::length(best);
-    if (!best.empty()) add(set.composed, scene, query, best, 1e3 * composing, shortest);
+    if (!best.empty()) add(put_together, scene, query, best, 1e3 * composing, shortest);
     for (std::size_t i = 0; i < 3; ++i) {
       plan::PlanOptions options;
       options.quality = plan::kQualityWords[i].value;
-      Polyline path;
-      double least = 1e9;
-      for (int repeat = 0; repeat < (argc == 3 ? 3 : 1); ++repeat) {
-        const double begin = geom::thread_seconds();
-        path = planner.plan(query.from, query.to, options).path;
-        least = std::min(least, geom::thread_seconds() - begin);
-      }
-      add(set.by_quality[i], scene, query, path, 1e3 * least, shortest);
+      const double begin = geom::thread_seconds();
+      const Polyline path = planner.plan(query.from, query.to, options).path;
+      const double seconds = geom::thread_seconds() - begin;
+      add(by_quality[i], scene, query, path, 1e3 * seconds, shortest);
     }
   }
-  for (const auto& [name, answers] : sets) {
-    print(name, "composed", answers.composed);
-    for (std::size_t i = 0; i < 3; ++i) {
-      print(name, std::string(plan::kQualityWords[i].word), answers.by_quality[i]);
-    }
+  print("composed", put_together);
+  for (std::size_t i = 0; i < 3; ++i) {
+    print(std::string(plan::kQualityWords[i].word), by_quality[i]);
   }
 }

@@ -7,17 +7,19 @@
 
 #include "geom/collision/collision.h"
 #include "support/random_city.h"
+#include "support/small_map.h"
 
 namespace plan {
 
 inline geom::CollisionScene scene_of(std::vector<geom::Aabb> boxes, const geom::Aabb& bounds,
                                      const geom::Vec3& half = geom::Vec3::Zero(),
                                      double margin = 0) {
-  geom::BoxMapSpec spec;
-  spec.bounds = bounds;
-  spec.bounds_from = "option";
-  return geom::CollisionScene(geom::BoxMap(spec, support::table_of(std::move(boxes))),
-                              {"box", half}, margin);
+  return {support::map_of(bounds, std::move(boxes)), {"box", half}, margin};
+}
+
+// 60 houses of a city within 200 m, and a vehicle of half a metre's height.
+inline geom::CollisionScene small_city(std::uint64_t seed) {
+  return {support::random_city(seed, 60, 200), {"box", {1, 1, 0.5}}, 0.25};
 }
 
 // Boxes in [0, side]^3: half of the faces on whole metres, the rest anywhere, some flat.

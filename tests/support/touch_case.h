@@ -6,6 +6,7 @@
 
 #include "geom/collision/collision.h"
 #include "support/random_city.h"
+#include "support/small_map.h"
 #include "traj/curve/trajectory.h"
 
 namespace support {
@@ -20,11 +21,9 @@ struct TouchCase {
   std::vector<geom::Aabb> others;  // clear of the curve, see add_others
 
   geom::BoxMap map() const {
-    geom::BoxMapSpec spec;
-    spec.bounds = {geom::Vec3::Constant(-512), geom::Vec3::Constant(512)};
     std::vector<geom::Aabb> boxes = others;
     boxes.push_back(box);
-    return geom::BoxMap(spec, table_of(boxes));
+    return map_of({geom::Vec3::Constant(-512), geom::Vec3::Constant(512)}, boxes);
   }
   geom::Vehicle vehicle() const { return {"box", half}; }
   geom::CollisionScene scene() const { return {map(), vehicle(), margin}; }

@@ -4,18 +4,15 @@
 
 #include "geom/collision/collision.h"
 #include "geom/record/query_record.h"
-#include "support/random_city.h"
+#include "support/small_map.h"
 
 namespace support {
 
 // A wall from floor to ceiling in the middle; the vehicle is a point.
 inline const geom::CollisionScene& walled_scene() {
-  static const geom::CollisionScene made = [] {
-    geom::BoxMapSpec spec;
-    spec.bounds = {{0, 0, 0}, {100, 100, 100}};
-    return geom::CollisionScene(geom::BoxMap(spec, table_of({{{48, 20, 0}, {52, 100, 100}}})),
-                                {"point", geom::Vec3::Zero()}, 0);
-  }();
+  static const geom::CollisionScene made(
+      map_of({{0, 0, 0}, {100, 100, 100}}, {{{48, 20, 0}, {52, 100, 100}}}),
+      {"point", geom::Vec3::Zero()}, 0);
   return made;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geom/collision/collision.h"
+#include "support/small_map.h"
 #include "traj/curve/trajectory.h"
 
 namespace traj::testing {
@@ -15,16 +16,29 @@ namespace traj::testing {
 inline geom::CollisionScene scene_of(const std::vector<geom::Aabb>& boxes,
                                      const geom::Aabb& bounds = {Vec3(-100, -100, 0),
                                                                  Vec3(300, 300, 100)}) {
-  geom::BoxTable table;
-  table.boxes = boxes;
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    table.ids.push_back(i);
-    table.label.push_back(0);
+  return {support::map_of(bounds, boxes), {"point", Vec3::Zero()}, 0};
+}
+
+inline geom::BoxMap one_box(const geom::Aabb& box = {{-1, -1, -1}, {1, 1, 1}}) {
+  return support::map_of({{-50, -50, -50}, {50, 50, 50}}, {box});
+}
+
+inline State rest(const Vec3& p) { return {p}; }
+
+// At constant speed.
+inline Trajectory straight(const Vec3& from, const Vec3& to, double seconds = 10) {
+  Segment s{seconds, {}, {}};
+  for (std::size_t i = 0; i < s.point.size(); ++i) {
+    s.point[i] = from + (to - from) * (static_cast<double>(i) / kDegree);
   }
-  geom::BoxMapSpec spec;
-  spec.bounds = bounds;
-  spec.bounds_from = "option";
-  return {geom::BoxMap(spec, table), geom::Vehicle{"point", Vec3::Zero()}, 0};
+  return {{s}};
+}
+
+// A curve that bends around, with a state at its middle.
+inline Trajectory arc(const Vec3& middle, const Vec3& velocity) {
+  const State through{middle, velocity, {0, 0, 1}, Vec3::Zero()};
+  return {{hermite(rest(middle + Vec3(-12, 3, 2)), through, 4),
+           hermite(through, rest(middle + Vec3(13, -2, 5)), 4)}};
 }
 
 struct Random {

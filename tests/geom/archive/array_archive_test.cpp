@@ -11,7 +11,7 @@
 #include "geom/archive/bytes.h"
 #include "geom/base/error.h"
 #include "support/edited_map.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {
@@ -52,7 +52,7 @@ TEST(ArrayArchive, ReadsManyEntriesInATimeThatGrowsWithTheirNumber) {
 TEST(ArrayArchive, RefusesADirectoryOfMoreEntriesThanAnyFileOfOurs) {
   const auto bytes = archive_of(numbered(300000));
   const std::string message = support::refusal_of([&] { ArrayArchive::from_bytes(bytes, "a"); });
-  EXPECT_NE(message.find("at most 65536 entries, found 300001"), std::string::npos) << message;
+  EXPECT_TRUE(support::says(message, "at most 65536 entries, found 300001"));
 }
 
 TEST(ArrayArchive, RefusesANameThatComesTwice) {
@@ -60,15 +60,15 @@ TEST(ArrayArchive, RefusesANameThatComesTwice) {
   names[400] = names[7];
   const auto bytes = archive_of(names);
   const std::string message = support::refusal_of([&] { ArrayArchive::from_bytes(bytes, "a"); });
-  EXPECT_NE(message.find("a7.npy: expected each entry once"), std::string::npos) << message;
+  EXPECT_TRUE(support::says(message, "a7.npy: expected each entry once"));
 }
 
 TEST(ArrayArchive, ShowsNamesOfEntriesShortAndWithoutControlBytes) {
   const std::string name = "\x1b[2J" + std::string(5000, 'x');
   const auto bytes = archive_of({name, name});
   const std::string message = support::refusal_of([&] { ArrayArchive::from_bytes(bytes, "a"); });
-  EXPECT_NE(message.find("found it twice"), std::string::npos);
-  EXPECT_EQ(message.find('\x1b'), std::string::npos);
+  EXPECT_TRUE(support::says(message, "found it twice"));
+  EXPECT_FALSE(support::says(message, "\x1b"));
   EXPECT_LT(message.size(), 200u);
 }
 

@@ -9,7 +9,7 @@
 
 #include "geom/base/error.h"
 #include "geom/text/text_table.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {

@@ -11,6 +11,7 @@
 #include "geom/base/parallel.h"
 #include "support/exact_oracle.h"
 #include "support/random_city.h"
+#include "support/small_map.h"
 
 namespace geom {
 namespace {
@@ -262,10 +263,8 @@ TEST(Collision, GroupsThatLieFarApartAreAskedAsExactly) {
     const BoxMap city = support::random_city(8, 60, 300, {x, -x, 0});
     boxes.insert(boxes.end(), city.boxes().begin(), city.boxes().end());
   }
-  BoxMapSpec spec;
-  spec.bounds = {Vec3(-1e7, -1e7, 0), Vec3(1e7, 1e7, 120)};
-  const CollisionScene scene(BoxMap(spec, support::table_of(boxes)), {"box", {1, 1, 0.5}}, 0.5,
-                             {std::size_t{1} << 29, 3});
+  const CollisionScene scene(support::map_of({{-1e7, -1e7, 0}, {1e7, 1e7, 120}}, boxes),
+                             {"box", {1, 1, 0.5}}, 0.5, {std::size_t{1} << 29, 3});
   EXPECT_GT(scene.counts().groups, 12u);
   support::Random random(14);
   int hits = 0;
@@ -380,18 +379,14 @@ TEST(Collision, KeepsWhatWasTouchedSinceTheHandPassed) {
 }
 
 TEST(Collision, AnEmptyMapIsFreeInsideItsBounds) {
-  BoxMapSpec spec;
-  spec.bounds = {{0, 0, 0}, {10, 10, 10}};
-  const CollisionScene scene(BoxMap(spec, support::table_of({})), {"box", {1, 1, 1}}, 0);
+  const CollisionScene scene(support::map_of({{0, 0, 0}, {10, 10, 10}}, {}), {"box", {1, 1, 1}}, 0);
   EXPECT_TRUE(scene.free({1, 1, 1}, {9, 9, 9}));
   EXPECT_FALSE(scene.free({0.5, 1, 1}, {9, 9, 9}));
   EXPECT_FALSE(scene.nearest({5, 5, 5}, 100));
 }
 
 TEST(Collision, TouchingTheBoundsIsAllowedAndTouchingAnObstacleIsNot) {
-  BoxMapSpec spec;
-  spec.bounds = {{0, 0, 0}, {10, 10, 10}};
-  const BoxMap map(spec, support::table_of({{{4, 4, 0}, {5, 5, 5}}}));
+  const BoxMap map = support::map_of({{0, 0, 0}, {10, 10, 10}}, {{{4, 4, 0}, {5, 5, 5}}});
   const CollisionScene scene(map, {"box", {1, 1, 1}}, 0);
   EXPECT_TRUE(scene.free({1, 1, 1}));
   EXPECT_FALSE(scene.free({3, 4.5, 3}));  // 1 m from the face

@@ -26,6 +26,7 @@
 #include "support/cases.h"
 #include "support/failing_memory.h"
 #include "support/random_city.h"
+#include "support/small_map.h"
 
 namespace geom {
 namespace {
@@ -335,9 +336,7 @@ TEST(FailedQuery, NearAWrongBoxOfAFileThrows) {
     }
   }
   boxes[5050].min.x() = 503.1234567;  // in the middle; inside its tile's extent
-  BoxMapSpec spec;
-  spec.bounds = {{0, 0, 0}, {1000, 1000, 100}};
-  const BoxMap map(spec, support::table_of(boxes));
+  const BoxMap map = support::map_of({{0, 0, 0}, {1000, 1000, 100}}, boxes);
   for (const double wrong : {std::numeric_limits<double>::quiet_NaN(), kInfinity, -kInfinity}) {
     const std::string bytes = with_lowest_x(map, 503.1234567, wrong);
     const auto read = [&] {

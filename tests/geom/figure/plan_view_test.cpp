@@ -3,23 +3,20 @@
 #include <gtest/gtest.h>
 
 #include "support/random_city.h"
+#include "support/reading.h"
+#include "support/small_map.h"
 
 namespace {
 
-bool holds(const std::string& svg, const std::string& words) {
-  return svg.find(words) != std::string::npos;
-}
-
 TEST(PlanView, CountsEachKindByItsName) {
-  geom::BoxMapSpec spec;
-  spec.bounds = {{0, 0, 0}, {100, 100, 50}};
-  const geom::BoxMap map(spec, support::table_of({{{40, 0, 0}, {50, 10, 20}}}));
+  const geom::BoxMap map =
+      support::map_of({{0, 0, 0}, {100, 100, 50}}, {{{40, 0, 0}, {50, 10, 20}}});
   const std::vector<geom::Vec3> way = {{0, 0, 5}, {10, 0, 5}};
   const geom::figure::PlanLine lines[] = {
       {"path", "a", way}, {"path", "b", way}, {"trajectory", "a", way}};
   const std::string svg = geom::figure::plan_view(map, {}, lines);
-  EXPECT_TRUE(holds(svg, ">1 box, 2 paths of 20.0 m in all, 1 trajectory of 10.0 m<"));
-  EXPECT_TRUE(holds(svg, ">trajectory a<"));
+  EXPECT_TRUE(support::says(svg, ">1 box, 2 paths of 20.0 m in all, 1 trajectory of 10.0 m<"));
+  EXPECT_TRUE(support::says(svg, ">trajectory a<"));
 }
 
 // How often the words stand there.
@@ -30,9 +27,8 @@ std::size_t count_of(const std::string& svg, const std::string& words) {
 }
 
 TEST(PlanView, ShowsAStartAndAnEndAtOnePlace) {
-  geom::BoxMapSpec spec;
-  spec.bounds = {{0, 0, 0}, {100, 100, 50}};
-  const geom::BoxMap map(spec, support::table_of({{{40, 0, 0}, {50, 10, 20}}}));
+  const geom::BoxMap map =
+      support::map_of({{0, 0, 0}, {100, 100, 50}}, {{{40, 0, 0}, {50, 10, 20}}});
   const geom::figure::PlanLine lines[] = {{"path", "a", {{0, 0, 5}, {10, 0, 5}}},
                                           {"path", "b", {{10, 0, 5}, {0, 0, 5}}}};
   const std::string svg = geom::figure::plan_view(map, {}, lines);
@@ -53,29 +49,25 @@ TEST(PlanView, DrawsOutlinesOfVeryManyBoxesAndBoxesOfFew) {
       strips.push_back({low, low + geom::Vec3(0.03, 8 + 0.001 * i, 9)});
     }
   }
-  geom::BoxMapSpec spec;
-  spec.bounds = {{0, 0, 0}, {120, 90, 50}};
-  const std::string many =
-      geom::figure::plan_view(geom::BoxMap(spec, support::table_of(strips)), {}, {});
+  const geom::Aabb bounds{{0, 0, 0}, {120, 90, 50}};
+  const std::string many = geom::figure::plan_view(support::map_of(bounds, strips), {}, {});
   EXPECT_LT(many.size(), 30000u);
   EXPECT_EQ(count_of(many, "<path "), 1u) << "all tops are level";
   EXPECT_EQ(count_of(many, "M"), 70u) << "an outline a house";
   strips.resize(300);
-  const std::string few =
-      geom::figure::plan_view(geom::BoxMap(spec, support::table_of(strips)), {}, {});
+  const std::string few = geom::figure::plan_view(support::map_of(bounds, strips), {}, {});
   EXPECT_GT(count_of(few, "<rect "), 300u);
 }
 
 TEST(PlanView, LetsTheCityThroughAKeepOutVolume) {
-  geom::BoxMapSpec spec;
-  spec.bounds = {{0, 0, 0}, {100, 100, 50}};
   geom::BoxTable table =
       support::table_of({{{40, 0, 0}, {50, 10, 20}}, {{0, 0, 0}, {100, 100, 50}}});
   table.labels = {"", "keep-out: all of it"};
   table.label = {0, 1};
-  const std::string svg = geom::figure::plan_view(geom::BoxMap(spec, table), {}, {});
+  const std::string svg =
+      geom::figure::plan_view({{.bounds = {{0, 0, 0}, {100, 100, 50}}}, table}, {}, {});
   EXPECT_EQ(count_of(svg, "fill-opacity=\"0.12\""), 2u) << "the volume and the key";
-  EXPECT_TRUE(holds(svg, ">keep-out<"));
+  EXPECT_TRUE(support::says(svg, ">keep-out<"));
   EXPECT_LT(svg.find("#00000022"), svg.find("fill-opacity"));
 }
 

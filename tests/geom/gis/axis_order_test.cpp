@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "geom/base/error.h"
+#include "support/reading.h"
 
 namespace geom::gis {
 namespace {
@@ -38,12 +39,7 @@ double first_x(geom::CityModel model, Axes axes = Axes::as_named, bool city_json
 }
 
 bool refused(const geom::CityModel& model) {
-  try {
-    first_x(model);
-  } catch (const geom::InputError& error) {
-    return std::string(error.what()).find("--axes") != std::string::npos;
-  }
-  return false;
+  return support::says(support::refusal_of([&] { first_x(model); }), "--axes");
 }
 
 TEST(AxisOrder, AUrnMeansTheOrderOfTheSystem) {

@@ -6,11 +6,14 @@
 
 #include "geom/base/error.h"
 #include "geom/gis/footprint_source.h"
+#include "support/reading.h"
 #include "support/shape_files.h"
 #include "support/temporary_folder.h"
 
 namespace geom::gis {
 namespace {
+
+using support::says;
 
 const std::string kFeature =
     R"({"type":"Feature","properties":{"height":9},"geometry":{"type":"Polygon",)"
@@ -22,12 +25,7 @@ std::string collection(const std::string& members) {
 
 // What reading the text says against it; empty where it is read.
 std::string refusal(const std::string& name, const std::string& text) {
-  try {
-    read_text(name, text, {});
-  } catch (const geom::InputError& error) {
-    return error.what();
-  }
-  return "";
+  return support::refusal_of([&] { read_text(name, text, {}); });
 }
 
 TEST(RequireWhole, RefusesGeoJsonThatItsServerCut) {
@@ -35,8 +33,7 @@ TEST(RequireWhole, RefusesGeoJsonThatItsServerCut) {
        {R"("exceededTransferLimit":true,)", R"("properties":{"exceededTransferLimit":true},)",
         R"("numberMatched":9,"numberReturned":1,)", R"("numberMatched":9,)",
         R"("totalFeatures":2,)", R"("links":[{"rel":"self"},{"rel":"next","href":"x"}],)"}) {
-    EXPECT_NE(refusal("a.geojson", collection(members)).find("a part of what its server has"),
-              std::string::npos)
+    EXPECT_TRUE(says(refusal("a.geojson", collection(members)), "a part of what its server has"))
         << members;
   }
   for (const char* members :
@@ -57,20 +54,18 @@ TEST(FilesBeside, AreTheOtherPartsOfAShapefile) {
 }
 
 TEST(RequireWhole, RefusesAKeyThatComesTwice) {
-  EXPECT_NE(refusal("a.geojson", collection(R"("features":[],)")).find("expected each key once"),
-            std::string::npos);
+  EXPECT_TRUE(
+      says(refusal("a.geojson", collection(R"("features":[],)")), "expected each key once"));
   std::string twice = collection("");
   twice.replace(twice.find(R"("height":9)"), 10, R"("height":9,"height":2)");
-  EXPECT_NE(refusal("a.geojson", twice).find("found \"height\" again"), std::string::npos);
+  EXPECT_TRUE(says(refusal("a.geojson", twice), "found \"height\" again"));
 }
 
 // GDAL reads a "feature" and leaves out its attributes.
 TEST(RequireWhole, RefusesGeoJsonInOtherLetters) {
   std::string odd = collection("");
   odd.replace(odd.rfind("\"Feature\""), 9, "\"feature\"");
-  EXPECT_NE(refusal("a.geojson", odd).find("feature 0: expected \"type\" to be Feature"),
-            std::string::npos)
-      << refusal("a.geojson", odd);
+  EXPECT_TRUE(says(refusal("a.geojson", odd), "feature 0: expected \"type\" to be Feature"));
   odd = collection("");
   odd.replace(odd.find("FeatureCollection"), 17, "featurecollection");
   EXPECT_NE(refusal("a.geojson", odd), "");
@@ -81,7 +76,7 @@ TEST(RequireWhole, LooksAtEachLineOfASequence) {
   EXPECT_EQ(refusal("a.geojsonl", lines), "");
   std::string twice = lines;
   twice.replace(twice.rfind(R"("height":9)"), 10, R"("height":9,"height":2)");
-  EXPECT_NE(refusal("a.geojsonl", twice).find(":2: column"), std::string::npos);
+  EXPECT_TRUE(says(refusal("a.geojsonl", twice), ":2: column"));
 }
 
 std::string kml(const std::string& more) {
@@ -93,19 +88,17 @@ std::string kml(const std::string& more) {
 
 TEST(RequireWhole, RefusesKmlThatLeadsElsewhere) {
   EXPECT_EQ(refusal("a.kml", kml("")), "");
-  EXPECT_NE(refusal("a.kml", kml("<NetworkLink><Link><href>rest.kml</href></Link></NetworkLink>"))
-                .find("found a NetworkLink"),
-            std::string::npos);
-  EXPECT_NE(refusal("a.kml", kml("<Placemark><Model><Link><href>t.dae</href></Link></Model>"
-                                 "</Placemark>"))
-                .find("found a Model"),
-            std::string::npos);
+  EXPECT_TRUE(
+      says(refusal("a.kml", kml("<NetworkLink><Link><href>rest.kml</href></Link></NetworkLink>")),
+           "found a NetworkLink"));
+  EXPECT_TRUE(says(refusal("a.kml", kml("<Placemark><Model><Link><href>t.dae</href></Link></Model>"
+                                        "</Placemark>")),
+                   "found a Model"));
 }
 
 TEST(RequireWhole, RefusesOpenStreetMapWithoutItsHeights) {
-  EXPECT_NE(refusal("a.osm", R"(<osm version="0.6"><node id="1" lat="1" lon="2"/></osm>)")
-                .find("--format osm"),
-            std::string::npos);
+  EXPECT_TRUE(says(refusal("a.osm", R"(<osm version="0.6"><node id="1" lat="1" lon="2"/></osm>)"),
+                   "--format osm"));
 }
 
 class Shapefile : public testing::Test {
@@ -117,12 +110,7 @@ class Shapefile : public testing::Test {
   }
 
   std::string refusal() const {
-    try {
-      read_vector(files_.shp.path(), "city.shp", {});
-    } catch (const geom::InputError& error) {
-      return error.what();
-    }
-    return "";
+    return support::refusal_of([&] { read_vector(files_.shp.path(), "city.shp", {}); });
   }
 
   static void change(const MemoryFile& file, std::size_t at, char to) {
@@ -141,19 +129,17 @@ TEST_F(Shapefile, IsRefusedWithARowMarkedAsDeleted) {
   const std::size_t first = static_cast<unsigned char>(bytes[8]);
   const std::size_t size = static_cast<unsigned char>(bytes[10]);
   change(files_.dbf, first + size, '*');
-  EXPECT_NE(refusal().find("row 2 of its table is marked as deleted"), std::string::npos);
+  EXPECT_TRUE(says(refusal(), "row 2 of its table is marked as deleted"));
 }
 
 TEST_F(Shapefile, IsRefusedWhereTheTableHasOtherRows) {
   change(files_.dbf, 4, 2);
-  EXPECT_NE(refusal().find("expected a row for each of the 3 shapes of city.dbf, found 2"),
-            std::string::npos)
-      << refusal();
+  EXPECT_TRUE(says(refusal(), "expected a row for each of the 3 shapes of city.dbf, found 2"));
 }
 
 TEST_F(Shapefile, IsRefusedWhereTheTableIsCut) {
   files_.dbf.write(files_.dbf.read().substr(0, files_.dbf.read().size() - 20));
-  EXPECT_NE(refusal().find("do not belong together"), std::string::npos) << refusal();
+  EXPECT_TRUE(says(refusal(), "do not belong together"));
 }
 
 TEST_F(Shapefile, IsRefusedWhereTheIndexIsOfOtherShapes) {
@@ -161,12 +147,12 @@ TEST_F(Shapefile, IsRefusedWhereTheIndexIsOfOtherShapes) {
   index.resize(index.size() - 8);
   index[27] = static_cast<char>(index[27] - 4);
   files_.shx.write(index);
-  EXPECT_NE(refusal().find("of city.shx"), std::string::npos) << refusal();
+  EXPECT_TRUE(says(refusal(), "of city.shx"));
 }
 
 TEST_F(Shapefile, IsRefusedWhereARecordIsAnother) {
   change(files_.shx, 100 + 8 + 3, 50);
-  EXPECT_NE(refusal().find("expected record 2 at byte"), std::string::npos) << refusal();
+  EXPECT_TRUE(says(refusal(), "expected record 2 at byte"));
 }
 
 TEST_F(Shapefile, IsRefusedWhereTheShapesAreCut) {
@@ -176,14 +162,13 @@ TEST_F(Shapefile, IsRefusedWhereTheShapesAreCut) {
 
 TEST_F(Shapefile, IsNamedWhereItsIndexIsMissing) {
   VSIUnlink(files_.shx.path().c_str());
-  EXPECT_NE(refusal().find("its index city.shx is not beside it"), std::string::npos) << refusal();
-  EXPECT_NE(refusal().find("SHAPE_RESTORE_SHX"), std::string::npos);
+  EXPECT_TRUE(says(refusal(), "its index city.shx is not beside it"));
+  EXPECT_TRUE(says(refusal(), "SHAPE_RESTORE_SHX"));
 }
 
 TEST_F(Shapefile, IsRefusedWithoutItsTable) {
   VSIUnlink(files_.dbf.path().c_str());
-  EXPECT_NE(refusal().find("the .dbf (their attributes) is not there"), std::string::npos)
-      << refusal();
+  EXPECT_TRUE(says(refusal(), "the .dbf (their attributes) is not there"));
 }
 
 }  // namespace

@@ -1,19 +1,17 @@
 #include <gtest/gtest.h>
 
 #include <random>
-#include <sstream>
 
 #include "geom/base/error.h"
 #include "geom/import/import_boxes.h"
 #include "support/cases.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {
 
 ImportedBoxes read(const std::string& text) {
-  std::istringstream in(text);
-  return import_boxes(in, kBlockText, "m.txt");
+  return import_boxes(support::Text(text), kBlockText, "m.txt");
 }
 
 TEST(BlockText, ReadsColoursCommentsAndUnknownWords) {
@@ -35,8 +33,7 @@ TEST(BlockText, WantsOneBoundaryAndUprightBlocks) {
 TEST(BlockText, NamesTheWordsThatStandInPlaceOfBlocks) {
   const std::string said =
       support::refusal_of([] { read("boundary 0 0 0 9 9 9\nwall 1 1 1 2 2 2\n"); });
-  EXPECT_NE(said.find("found a boundary and 1 x unknown keyword (line 2: wall)"), std::string::npos)
-      << said;
+  EXPECT_TRUE(support::says(said, "found a boundary and 1 x unknown keyword (line 2: wall)"));
 }
 
 TEST(BlockText, TakesCornersInEitherOrder) {

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "import/city_footprints.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {

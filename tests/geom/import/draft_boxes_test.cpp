@@ -6,7 +6,7 @@
 
 #include "geom/base/error.h"
 #include "geom/base/usage_error.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {
@@ -31,12 +31,12 @@ MapDraft drafted(const std::string& text, const BoxDraftOptions& options = {},
 }
 
 TEST(DraftBoxes, MakesTheMapOfTheReader) {
-  std::istringstream in(kBlocks);
-  const MadeMap expected = make_map(import_boxes(in, kBlockText, "file"), "file");
+  const MadeMap expected =
+      make_map(import_boxes(support::Text(kBlocks), kBlockText, "file"), "file");
   const MadeMap made = make_map(drafted(kBlocks));
   EXPECT_EQ(made.map.hash(), expected.map.hash());
-  EXPECT_NE(made.map.spec().history.find(R"("format":"block-text")"), std::string::npos);
-  EXPECT_NE(made.map.spec().history.find("sha256:"), std::string::npos);
+  EXPECT_TRUE(support::says(made.map.spec().history, R"("format":"block-text")"));
+  EXPECT_TRUE(support::says(made.map.spec().history, "sha256:"));
 }
 
 TEST(DraftBoxes, TakesTheOptionsBeforeWhatTheFileSays) {
@@ -59,14 +59,14 @@ TEST(DraftBoxes, RefusesPadForAFileWithBounds) {
 
 TEST(DraftBoxes, RefusesWhatCannotBeBuiltUnlessThatIsAllowed) {
   const std::string text = std::string(kBlocks) + "window 1 1 0 2 3 4\n";
-  EXPECT_NE(support::refusal_of([&] { drafted(text); }).find("--allow-skipped"), std::string::npos);
+  EXPECT_TRUE(support::says(support::refusal_of([&] { drafted(text); }), "--allow-skipped"));
   BoxDraftOptions options;
   options.allow_skipped = true;
   Said said;
   const MadeMap made = make_map(drafted(text, options, said.notes()));
   EXPECT_EQ(skipped_in(made.map.spec()), 1u);
   ASSERT_EQ(said.warnings.size(), 1u);
-  EXPECT_NE(said.warnings[0].find("file: 1 possible obstacle is left out"), std::string::npos);
+  EXPECT_TRUE(support::says(said.warnings[0], "file: 1 possible obstacle is left out"));
 }
 
 TEST(DraftBoxes, RefusesAModelThatIsNotThere) {

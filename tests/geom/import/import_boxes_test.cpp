@@ -2,9 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 #include "geom/base/error.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {
@@ -14,8 +13,7 @@ constexpr const char* kTable =
 constexpr const char* kBlocks = "# a room\nboundary 0 0 0 10 10 4\nblock 1 1 1 2 2 2 200 0 0\n";
 
 ImportedBoxes imported(const std::string& text) {
-  std::istringstream in(text);
-  return import_boxes(in, box_format_of(text, "it"), "it");
+  return import_boxes(support::Text(text), box_format_of(text, "it"), "it");
 }
 
 TEST(ImportBoxes, KnowsFormatsByTheirFirstLine) {

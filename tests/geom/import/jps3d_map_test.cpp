@@ -1,16 +1,13 @@
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 #include "geom/import/import_boxes.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {
 
 ImportedBoxes read(const std::string& text, bool unknown_blocked = false) {
-  std::istringstream in(text);
-  return import_boxes(in, kJps3d, "m.yaml", {.unknown_blocked = unknown_blocked});
+  return import_boxes(support::Text(text), kJps3d, "m.yaml", {.unknown_blocked = unknown_blocked});
 }
 
 const std::string kHead =

@@ -5,16 +5,13 @@
 
 #include "geom/base/usage_error.h"
 #include "support/random_city.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {
 
 BoxMapSpec spec_at_origin() {
-  BoxMapSpec spec;
-  spec.bounds = {{0, 0, 0}, {100, 100, 40}};
-  spec.frame.origin = GeodeticOrigin{60, 25, 0};
-  return spec;
+  return {.frame = {.origin = GeodeticOrigin{60, 25, 0}}, .bounds = {{0, 0, 0}, {100, 100, 40}}};
 }
 
 std::string polygon(const std::string& ring) {
@@ -59,8 +56,8 @@ TEST(KeepOutBoxes, HoldEveryPointOfTheVolume) {
 TEST(KeepOutBoxes, RefuseAVolumeElsewhereUnlessFar) {
   const std::string elsewhere = polygon("[30,10],[30.001,10],[30.001,10.001],[30,10]");
   const BoxMapSpec spec = spec_at_origin();
-  EXPECT_NE(support::refusal_of([&] { boxes_of(elsewhere, spec, {}); }).find("near the map"),
-            std::string::npos);
+  EXPECT_TRUE(
+      support::says(support::refusal_of([&] { boxes_of(elsewhere, spec, {}); }), "near the map"));
   EXPECT_FALSE(boxes_of(elsewhere, spec, {.far = true}).boxes.empty());
 }
 
@@ -68,9 +65,8 @@ TEST(KeepOutBoxes, RefuseSidesThatWouldTakeTenThousandBoxes) {
   const std::string sloping = polygon("[0,0],[90,80],[0,80],[0,0]");
   const std::string said = support::refusal_of(
       [&] { boxes_of(sloping, spec_at_origin(), {.local = true, .slack = 0.008}); });
-  EXPECT_NE(said.find("feature 0: expected sloping sides of at most 80 m"), std::string::npos)
-      << said;
-  EXPECT_NE(said.find("give --slack"), std::string::npos) << said;
+  EXPECT_TRUE(support::says(said, "feature 0: expected sloping sides of at most 80 m"));
+  EXPECT_TRUE(support::says(said, "give --slack"));
 }
 
 TEST(ReadVolumes, RefusesOptionsOfTheOtherForm) {

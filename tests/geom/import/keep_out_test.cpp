@@ -2,14 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 #include "geom/base/error.h"
 #include "geom/map/geographic_frame.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {
+
+using support::says;
+using support::Text;
 
 Frame at(double latitude, double longitude) {
   return {Axes::enu, GeodeticOrigin{latitude, longitude, 0}, ""};
@@ -23,8 +24,8 @@ TEST(KeepOut, FollowsEdgesThatBend) {
     ring += (i ? ",[" : "[") + std::to_string(corners[i % 4][0]) + "," +
             std::to_string(corners[i % 4][1]) + "]";
   }
-  std::istringstream in(R"({"type":"Polygon","coordinates":[[)" + ring + "]]}");
-  const KeepOut zones = read_keep_out(in, "zones", at(60, 25), {false, 0, 9});
+  const KeepOut zones = read_keep_out(Text(R"({"type":"Polygon","coordinates":[[)" + ring + "]]}"),
+                                      "zones", at(60, 25), {false, 0, 9});
   EXPECT_LT(zones.bulge[0], 0.01);
   const GeographicFrame frame({60, 25, 0});
   for (int i = 0; i < 4; ++i) {
@@ -40,10 +41,11 @@ TEST(KeepOut, FollowsEdgesThatBend) {
 }
 
 TEST(KeepOut, StandsWhereItsDegreesSay) {
-  std::istringstream in(
-      R"({"type":"Feature","properties":{"lower":10,"upper":50,"name":"port"},"geometry":
-         {"type":"Polygon","coordinates":[[[25,60],[25.001,60],[25.001,60.001],[25,60.001],[25,60]]]}})");
-  const KeepOut zones = read_keep_out(in, "zones", at(60, 25), {});
+  const KeepOut zones = read_keep_out(
+      Text(
+          R"({"type":"Feature","properties":{"lower":10,"upper":50,"name":"port"},"geometry":
+         {"type":"Polygon","coordinates":[[[25,60],[25.001,60],[25.001,60.001],[25,60.001],[25,60]]]}})"),
+      "zones", at(60, 25), {});
   ASSERT_EQ(zones.volumes.size(), 1u);
   EXPECT_EQ(zones.labels[0], "keep-out: port");
   EXPECT_EQ(zones.volumes[0].bottom, 10);
@@ -61,24 +63,21 @@ TEST(KeepOut, RefusesDegreesOfAnotherKind) {
         R"({"type":"Feature","geometry":{)" + crs + polygon + "}",
         R"({"type":"FeatureCollection",)" + crs + R"("features":[{"geometry":{)" + polygon +
             "}]}"}) {
-    std::istringstream in(text);
-    EXPECT_NE(support::refusal_of([&] {
-                read_keep_out(in, "zones", at(60, 25), {});
-              }).find("zones: crs must be CRS84"),
-              std::string::npos)
+    EXPECT_TRUE(
+        says(support::refusal_of([&] { read_keep_out(Text(text), "zones", at(60, 25), {}); }),
+             "zones: crs must be CRS84"))
         << text;
-    std::istringstream again(text);
-    EXPECT_EQ(read_keep_out(again, "zones", at(60, 25), {.local = true}).volumes.size(), 1u);
+    EXPECT_EQ(read_keep_out(Text(text), "zones", at(60, 25), {.local = true}).volumes.size(), 1u);
   }
 }
 
 KeepOut timed(const std::string& properties, const KeepOutOptions& options,
               const std::string& more = "") {
-  std::istringstream in(
-      R"({"type":"FeatureCollection",)" + more +
-      R"("features":[{"type":"Feature","properties":{"lower":1,"upper":9)" + properties +
-      R"(},"geometry":{"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1],[0,0]]]}}]})");
-  return read_keep_out(in, "zones", {}, options);
+  return read_keep_out(
+      Text(R"({"type":"FeatureCollection",)" + more +
+           R"("features":[{"type":"Feature","properties":{"lower":1,"upper":9)" + properties +
+           R"(},"geometry":{"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1],[0,0]]]}}]})"),
+      "zones", {}, options);
 }
 
 const KeepOutOptions kTimed{true, 0, 9, "2026-05-04T06:30:00Z"};
@@ -106,20 +105,19 @@ TEST(KeepOut, RefusesTimesThatCannotBe) {
                           const std::string& more = "") {
     return support::refusal_of([&] { timed(properties, options, more); });
   };
-  EXPECT_NE(refusal(R"(,"from":"2026-05-04")").find("found \"2026-05-04\""), std::string::npos);
-  EXPECT_NE(refusal(R"(,"from":"12")").find("seconds after the epoch"), std::string::npos);
-  EXPECT_NE(refusal(R"(,"until":true)").find("until must be seconds"), std::string::npos);
-  EXPECT_NE(refusal(R"(,"from":5,"until":4)").find("from must be at most until, found 5 and 4"),
-            std::string::npos);
-  EXPECT_NE(refusal(R"(,"until":1777876200)").find("within 1e+09"), std::string::npos);
-  EXPECT_NE(refusal(R"(,"from":"1960-01-01T00:00:00Z")").find("within 1e+09"), std::string::npos);
-  EXPECT_NE(refusal(R"(,"until":4)", {.local = true}).find("give --epoch"), std::string::npos);
+  EXPECT_TRUE(says(refusal(R"(,"from":"2026-05-04")"), "found \"2026-05-04\""));
+  EXPECT_TRUE(says(refusal(R"(,"from":"12")"), "seconds after the epoch"));
+  EXPECT_TRUE(says(refusal(R"(,"until":true)"), "until must be seconds"));
+  EXPECT_TRUE(says(refusal(R"(,"from":5,"until":4)"), "from must be at most until, found 5 and 4"));
+  EXPECT_TRUE(says(refusal(R"(,"until":1777876200)"), "within 1e+09"));
+  EXPECT_TRUE(says(refusal(R"(,"from":"1960-01-01T00:00:00Z")"), "within 1e+09"));
+  EXPECT_TRUE(says(refusal(R"(,"until":4)", {.local = true}), "give --epoch"));
   const std::string other = R"("epoch":"2026-05-04T06:31:00Z",)";
-  EXPECT_NE(refusal("", kTimed, other).find("expected the epoch of the map"), std::string::npos);
-  EXPECT_NE(refusal("", {.local = true}, other).find("which has none"), std::string::npos);
+  EXPECT_TRUE(says(refusal("", kTimed, other), "expected the epoch of the map"));
+  EXPECT_TRUE(says(refusal("", {.local = true}, other), "which has none"));
   EXPECT_EQ(refusal("", kTimed, R"("epoch":"2026-05-04T06:30:00.0Z",)"), "");
-  EXPECT_NE(refusal(R"(,"from":100,"epoch":"2026-05-04T07:30:00Z")").find("the epoch of the map"),
-            std::string::npos);
+  EXPECT_TRUE(
+      says(refusal(R"(,"from":100,"epoch":"2026-05-04T07:30:00Z")"), "the epoch of the map"));
   EXPECT_EQ(refusal(R"(,"from":100,"epoch":"2026-05-04T06:30:00Z")"), "");
   EXPECT_EQ(refusal(R"(,"epoch":2020.5)", {.local = true}), "");  // of nothing here
 }
@@ -131,11 +129,12 @@ TEST(KeepOut, RefusesWhatIsNoVolume) {
        R"({"type":"Polygon","coordinates":[[[0,0],[1,1],[0,0]]]})",
        R"({"type":"Polygon","coordinates":[[[0,0],[200,1],[1,1],[0,0]]]})",
        R"({"type":"Feature","properties":{"lower":9,"upper":3},"geometry":{"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1],[0,0]]]}})"}) {
-    std::istringstream in(text);
-    EXPECT_THROW(read_keep_out(in, "zones", at(60, 25), {}), InputError) << text;
+    EXPECT_THROW(read_keep_out(Text(text), "zones", at(60, 25), {}), InputError) << text;
   }
-  std::istringstream in(R"({"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1],[0,0]]]})");
-  EXPECT_THROW(read_keep_out(in, "zones", {}, {}), InputError);
+  EXPECT_THROW(
+      read_keep_out(Text(R"({"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1],[0,0]]]})"),
+                    "zones", {}, {}),
+      InputError);
 }
 
 }  // namespace

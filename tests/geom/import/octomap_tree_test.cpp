@@ -1,9 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 #include "geom/import/import_boxes.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {
@@ -25,8 +23,8 @@ std::string tree(const std::string& nodes, const std::string& res = "0.000030517
 }
 
 ImportedBoxes read(const std::string& bytes, bool unknown_blocked = false) {
-  std::istringstream in(bytes);
-  return import_boxes(in, kOctomapTree, "t.bt", {.unknown_blocked = unknown_blocked});
+  return import_boxes(support::Text(bytes), kOctomapTree, "t.bt",
+                      {.unknown_blocked = unknown_blocked});
 }
 
 TEST(Octomap, LeavesAreBoxesOfTheirOctants) {

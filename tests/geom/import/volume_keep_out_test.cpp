@@ -5,7 +5,7 @@
 #include <GeographicLib/Geodesic.hpp>
 #include <GeographicLib/GeodesicLine.hpp>
 
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {

@@ -1,16 +1,13 @@
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 #include "geom/import/import_boxes.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {
 
 ImportedBoxes read(const std::string& text) {
-  std::istringstream in(text);
-  return import_boxes(in, kVoxelMap, "w.3dmap");
+  return import_boxes(support::Text(text), kVoxelMap, "w.3dmap");
 }
 
 TEST(Voxel3dmap, EachVoxelIsAUnitBoxWithTheNumberOfItsLine) {

@@ -1,16 +1,14 @@
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 #include "geom/base/error.h"
 #include "geom/import/import_boxes.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {
 
 ImportedBoxes read(const std::string& text) {
-  std::istringstream in(text);
-  return import_boxes(in, kRotorPyWorld, "w.json");
+  return import_boxes(support::Text(text), kRotorPyWorld, "w.json");
 }
 
 TEST(WorldJson, KeysThatMayTurnOrAddBlocksAreSkipped) {

@@ -8,6 +8,7 @@
 
 #include "geom/import/sdf_world.h"
 #include "geom/map/make_map.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {
@@ -19,8 +20,7 @@ std::string written(const BoxMap& map) {
 }
 
 BoxMap read_back(const std::string& text) {
-  std::istringstream in(text);
-  SdfWorld world = read_sdf_world(in, "w", {});
+  SdfWorld world = read_sdf_world(support::Text(text), "w", {});
   MakeMapOptions options;
   options.source_bounds = world.bounds;
   options.floor = world.floor;
@@ -101,8 +101,7 @@ TEST(BoxSdf, IsNeverSmaller) {
 
 TEST(BoxSdf, StandsOnItsFloor) {
   const BoxMap map = random_map({});
-  std::istringstream in(written(map));
-  const SdfWorld world = read_sdf_world(in, "w", {});
+  const SdfWorld world = read_sdf_world(support::Text(written(map)), "w", {});
   EXPECT_EQ(world.floor, map.spec().bounds.min.z());
   EXPECT_EQ(world.movable, 0u);
   EXPECT_TRUE(world.skipped.empty());

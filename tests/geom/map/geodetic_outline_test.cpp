@@ -6,7 +6,7 @@
 #include <GeographicLib/GeodesicLine.hpp>
 #include <cmath>
 
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {

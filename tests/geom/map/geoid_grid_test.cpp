@@ -5,9 +5,9 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <sstream>
 
 #include "geom/base/error.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {
@@ -35,10 +35,7 @@ std::string gtx(float first = 10) {
   return out;
 }
 
-GeoidGrid grid_of(const std::string& bytes) {
-  std::istringstream in(bytes);
-  return read_geoid_grid(in, "g");
-}
+GeoidGrid grid_of(const std::string& bytes) { return read_geoid_grid(support::Text(bytes), "g"); }
 
 TEST(GeoidGrid, BoundsTheSlopesOverAnAreaWithItsError) {
   const GeoidGrid grid = grid_of(gtx());
@@ -93,8 +90,7 @@ TEST(GeoidGrid, GoesAroundTheEarth) {
   }
   const GeoidGrid grid = [&] {
     GeoidGrid out;
-    std::istringstream in(bytes);
-    EXPECT_THROW(read_geoid_grid(in, "g"), InputError) << "steps of 90 degrees";
+    EXPECT_THROW(read_geoid_grid(support::Text(bytes), "g"), InputError) << "steps of 90 degrees";
     return out;
   }();
   EXPECT_TRUE(grid.heights.empty());

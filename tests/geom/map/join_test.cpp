@@ -10,10 +10,8 @@ namespace geom {
 namespace {
 
 BoxMap map_at(const Frame& frame, std::vector<Aabb> boxes) {
-  BoxMapSpec spec;
-  spec.frame = frame;
-  spec.bounds = {{-1000, -1000, 0}, {1000, 1000, 100}};
-  return {spec, support::table_of(std::move(boxes))};
+  return {{.frame = frame, .bounds = {{-1000, -1000, 0}, {1000, 1000, 100}}},
+          support::table_of(std::move(boxes))};
 }
 
 Frame at(double latitude, double longitude, Axes axes = Axes::enu) {

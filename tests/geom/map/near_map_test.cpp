@@ -7,11 +7,7 @@
 namespace geom {
 namespace {
 
-BoxMapSpec spec_of(double side) {
-  BoxMapSpec spec;
-  spec.bounds = {{0, 0, 0}, {side, side, 50}};
-  return spec;
-}
+BoxMapSpec spec_of(double side) { return {.bounds = {{0, 0, 0}, {side, side, 50}}}; }
 
 std::vector<Vec2> square_at(double x, double y) {
   return {{x, y}, {x + 5, y}, {x + 5, y + 5}, {x, y + 5}};

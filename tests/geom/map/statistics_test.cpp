@@ -8,9 +8,7 @@ namespace geom {
 namespace {
 
 BoxMap map_of(const BoxTable& table) {
-  BoxMapSpec spec;
-  spec.bounds = {{-1000, -1000, 0}, {1000, 1000, 100}};
-  return {spec, table};
+  return {{.bounds = {{-1000, -1000, 0}, {1000, 1000, 100}}}, table};
 }
 
 TEST(MapStatistics, CountHeightsTilesFlatBoxesAndUnknowns) {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <set>
 
-#include "support/refusal.h"
+#include "support/reading.h"
 #include "support/triangle_oracle.h"
 #include "support/triangle_shapes.h"
 
@@ -27,7 +27,7 @@ TriangleCover cover(const TriangleMesh& mesh, double slack, SolidFill fill = Sol
 template <class F>
 void expect_refusal(const F& f, const std::string& message) {
   const std::string found = support::refusal_of(f);
-  EXPECT_NE(found.find(message), std::string::npos) << found;
+  EXPECT_TRUE(support::says(found, message));
 }
 
 void expect_within(const oracle::Body& body, const TriangleCover& made, double slack) {

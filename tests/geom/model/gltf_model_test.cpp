@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "support/glb_file.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 #include "support/triangle_shapes.h"
 
 namespace geom {
@@ -25,7 +25,7 @@ GltfModel read(const GltfFile& file) { return read(file.bytes()); }
 
 void expect_refusal(const std::string& bytes, const std::string& message) {
   const std::string found = support::refusal_of([&] { read(bytes); });
-  EXPECT_NE(found.find(message), std::string::npos) << found;
+  EXPECT_TRUE(support::says(found, message));
 }
 void expect_refusal(const GltfFile& file, const std::string& message) {
   expect_refusal(file.bytes(), message);
@@ -93,10 +93,9 @@ TEST(ReadGltf, ReadsBuffersFromFilesAndDataUris) {
   };
   EXPECT_EQ(read(file.text.dump(), folder).mesh.triangles.size(), 12u);
   const auto cut = [&](const std::string&) { return file.binary.substr(1); };
-  EXPECT_NE(support::refusal_of([&] { read(file.text.dump(), cut); }).find("expected 240 bytes"),
-            std::string::npos);
-  EXPECT_NE(support::refusal_of([&] { read(file.text.dump()); }).find("not there"),
-            std::string::npos);
+  EXPECT_TRUE(support::says(support::refusal_of([&] { read(file.text.dump(), cut); }),
+                            "expected 240 bytes"));
+  EXPECT_TRUE(support::says(support::refusal_of([&] { read(file.text.dump()); }), "not there"));
   for (const char* uri : {"../a.bin", "/a.bin", "http://host/a.bin", "c:\\a.bin", ""}) {
     file.text["buffers"][0]["uri"] = uri;
     EXPECT_NE(support::refusal_of([&] { read(file.text.dump(), cut); }), "") << uri;
@@ -108,7 +107,7 @@ TEST(ReadGltf, ReadsBuffersFromFilesAndDataUris) {
   file.text["bufferViews"][0]["byteLength"] = 12;
   file.text["accessors"][0]["count"] = 1;
   file.text["meshes"][0]["primitives"][0].erase("indices");
-  EXPECT_NE(support::refusal_of([&] { read(file.text.dump()); }).find("found 1"), std::string::npos)
+  EXPECT_TRUE(support::says(support::refusal_of([&] { read(file.text.dump()); }), "found 1"))
       << "one vertex is no triangle, but it was read";
 }
 
@@ -121,7 +120,7 @@ TEST(ReadGltf, CountsPointsLinesAndMeshesThatAreNotShown) {
   const GltfModel model = read(file);
   EXPECT_EQ(model.mesh.triangles.size(), 12u);
   EXPECT_EQ(model.skipped.count(), 3u);
-  EXPECT_NE(model.skipped.text().find("hidden"), std::string::npos);
+  EXPECT_TRUE(support::says(model.skipped.text(), "hidden"));
 }
 
 TEST(ReadGltf, CountsNodesThatAnotherSceneShows) {
@@ -131,7 +130,7 @@ TEST(ReadGltf, CountsNodesThatAnotherSceneShows) {
   const GltfModel model = read(file);
   EXPECT_EQ(model.mesh.triangles.size(), 12u);
   EXPECT_EQ(model.skipped.count(), 1u);
-  EXPECT_NE(model.skipped.text().find("far"), std::string::npos);
+  EXPECT_TRUE(support::says(model.skipped.text(), "far"));
 }
 
 TEST(ReadGltf, TellsTheFeatureOfEachTriangle) {
@@ -183,7 +182,7 @@ struct PackedFile : GltfFile {
   }
   void expect_refusal(const std::string& message) const {
     const std::string found = support::refusal_of([&] { unpacked(); });
-    EXPECT_NE(found.find(message), std::string::npos) << found;
+    EXPECT_TRUE(support::says(found, message));
   }
 };
 

@@ -3,28 +3,21 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <sstream>
 
 #include "geom/archive/bytes.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {
 
-Model obj(const std::string& text) {
-  std::istringstream in(text);
-  return read_obj(in, "a.obj");
-}
+Model obj(const std::string& text) { return read_obj(support::Text(text), "a.obj"); }
 
-Model stl(const std::string& text) {
-  std::istringstream in(text);
-  return read_stl(in, "a.stl");
-}
+Model stl(const std::string& text) { return read_stl(support::Text(text), "a.stl"); }
 
 template <class Read>
 void expect_refusal(const Read& read, const std::string& text, const std::string& message) {
   const std::string found = support::refusal_of([&] { read(text); });
-  EXPECT_NE(found.find(message), std::string::npos) << found;
+  EXPECT_TRUE(support::says(found, message));
 }
 
 double area(const std::vector<Vec3>& corners,
@@ -121,10 +114,7 @@ std::string binary_stl(const std::vector<float>& numbers) {
   return out;
 }
 
-Model ply(const std::string& text) {
-  std::istringstream in(text);
-  return read_ply_model(in, "a.ply");
-}
+Model ply(const std::string& text) { return read_ply_model(support::Text(text), "a.ply"); }
 
 std::string ply_text(const std::string& faces, int count) {
   return "ply\nformat ascii 1.0\nelement vertex 5\nproperty double x\nproperty double y\nproperty "

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "support/glb_file.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 #include "support/subtree_file.h"
 #include "support/triangle_shapes.h"
 
@@ -48,7 +48,7 @@ TilesModel read(const json& root, Files files) {
 template <class... Args>
 void expect_refusal(const std::string& message, const Args&... args) {
   const std::string found = support::refusal_of([&] { read(args...); });
-  EXPECT_NE(found.find(message), std::string::npos) << found;
+  EXPECT_TRUE(support::says(found, message));
 }
 
 TEST(ReadTileset, AddsTheTilesThatAddAndTheFinestOfThoseThatReplace) {

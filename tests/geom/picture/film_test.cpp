@@ -30,10 +30,7 @@ Picture overview_of(const geom::BoxMap& map) {
 }
 
 geom::BoxMap room(const std::vector<geom::Aabb>& boxes, const char* bounds_from) {
-  geom::BoxMapSpec spec;
-  spec.bounds = {{0, 0, 0}, {8, 6, 3}};
-  spec.bounds_from = bounds_from;
-  return geom::BoxMap(spec, support::table_of(boxes));
+  return {{.bounds = {{0, 0, 0}, {8, 6, 3}}, .bounds_from = bounds_from}, support::table_of(boxes)};
 }
 
 TEST(Film, CutsAwayTheWallsThatHideARoom) {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/random_city.h"
+#include "support/small_map.h"
 
 namespace {
 
@@ -21,15 +21,13 @@ TEST(NamesNoBuilding, GoesByWords) {
 }
 
 TEST(Windows, AreOnBuildingsAndTheirTowersNotOnTreesAndPoles) {
-  geom::BoxMapSpec spec;
-  spec.bounds = {{0, 0, 0}, {100, 100, 50}};
   const std::vector<Aabb> boxes = {{{0, 0, 0}, {20, 20, 10}},       // a building,
                                    {{5, 5, 10}, {15, 15, 40}},      // its tower,
                                    {{40, 40, 0}, {40.5, 40.5, 4}},  // a trunk
                                    {{37, 37, 4}, {43, 43, 12}},     // and its crown,
                                    {{60, 60, 0}, {70, 70, 2}},      // something low,
                                    {{80, 80, 20}, {90, 90, 30}}};   // and what hangs on nothing
-  const geom::BoxMap map(spec, support::table_of(boxes));
+  const geom::BoxMap map = support::map_of({{0, 0, 0}, {100, 100, 50}}, boxes);
   const std::vector<bool> windows = geom::picture::windows_of(map);
   for (std::size_t i = 0; i < map.size(); ++i) {
     const std::uint64_t id = map.ids()[i];

@@ -9,7 +9,7 @@
 #include "geom/record/record.h"
 #include "geom/text/json_fields.h"
 #include "geom/text/json_line.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {
@@ -42,21 +42,20 @@ TEST(FlightTime, BeginsAtTheEarliestWhereNoStartIsSaid) {
 }
 
 TEST(FlightTime, SaysWhatIsWrong) {
-  EXPECT_NE(why_not("\"start\":\"2026-05-04T06:30:00Z\"").find("seconds after the epoch"),
-            std::string::npos);
-  EXPECT_NE(why_not("\"start\":\"2026-05-04T06:30:00Z\"").find("\"epoch\""), std::string::npos);
-  EXPECT_NE(why_not("\"epoch\":1777876200").find("RFC 3339"), std::string::npos);
-  EXPECT_NE(why_not("\"epoch\":\"2026-05-04T08:30:00+02:00\"").find("UTC"), std::string::npos);
-  EXPECT_NE(why_not("\"start\":100,\"latest\":90").find("at most latest, found 100 and 90"),
-            std::string::npos);
-  EXPECT_NE(why_not("\"latest\":-1").find("at most latest"), std::string::npos);
-  EXPECT_NE(why_not("\"start\":10,\"earliest\":20").find("at least earliest"), std::string::npos);
-  EXPECT_NE(why_not("\"earliest\":9,\"latest\":8").find("earliest must be at most"),
-            std::string::npos);
-  EXPECT_NE(why_not("\"start\":1.7e12").find("within"), std::string::npos);
-  EXPECT_NE(why_not("\"start\":1e-12").find("0 or at least"), std::string::npos);
-  EXPECT_NE(why_not("\"start\":[1]").find("must be a number"), std::string::npos);
-  EXPECT_NE(why_not("\"earliest\":true").find("must be a number"), std::string::npos);
+  EXPECT_TRUE(
+      support::says(why_not("\"start\":\"2026-05-04T06:30:00Z\""), "seconds after the epoch"));
+  EXPECT_TRUE(support::says(why_not("\"start\":\"2026-05-04T06:30:00Z\""), "\"epoch\""));
+  EXPECT_TRUE(support::says(why_not("\"epoch\":1777876200"), "RFC 3339"));
+  EXPECT_TRUE(support::says(why_not("\"epoch\":\"2026-05-04T08:30:00+02:00\""), "UTC"));
+  EXPECT_TRUE(
+      support::says(why_not("\"start\":100,\"latest\":90"), "at most latest, found 100 and 90"));
+  EXPECT_TRUE(support::says(why_not("\"latest\":-1"), "at most latest"));
+  EXPECT_TRUE(support::says(why_not("\"start\":10,\"earliest\":20"), "at least earliest"));
+  EXPECT_TRUE(support::says(why_not("\"earliest\":9,\"latest\":8"), "earliest must be at most"));
+  EXPECT_TRUE(support::says(why_not("\"start\":1.7e12"), "within"));
+  EXPECT_TRUE(support::says(why_not("\"start\":1e-12"), "0 or at least"));
+  EXPECT_TRUE(support::says(why_not("\"start\":[1]"), "must be a number"));
+  EXPECT_TRUE(support::says(why_not("\"earliest\":true"), "must be a number"));
 }
 
 TEST(FlightTime, IsNoneThatIsNotANumber) {

@@ -4,7 +4,7 @@
 
 #include "geom/base/error.h"
 #include "support/random_city.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {
@@ -56,10 +56,10 @@ TEST(Locator, RefusesToCountFromAHoleInAScan) {
         R"([{"tool":"skyway-map join","histories":[[{"tool":"skyway-cloud"}]]}])"}) {
     const BoxMap map = map_at(origin, Axes::enu, history);
     const Locator locator(map);
-    EXPECT_NE(support::refusal_of([&] {
-                locator.at(EarthPlace{p.latitude, p.longitude, 2, true}, "q", 3);
-              }).find("q:3: nothing was scanned under latitude"),
-              std::string::npos);
+    EXPECT_TRUE(support::says(support::refusal_of([&] {
+                                locator.at(EarthPlace{p.latitude, p.longitude, 2, true}, "q", 3);
+                              }),
+                              "q:3: nothing was scanned under latitude"));
     EXPECT_EQ(locator.at(EarthPlace{p.latitude, p.longitude, 2, false}, "q", 3).z(), 2);
     const GeodeticPlace roof = GeographicFrame(origin).place({15, 30, 0});
     EXPECT_EQ(locator.at(EarthPlace{roof.latitude, roof.longitude, 2, true}, "q", 3).z(), 14);
@@ -71,13 +71,11 @@ TEST(Locator, RefusesToCountFromAHoleInAScan) {
 TEST(Locator, RefusesWhatHasNoPlaceOnTheMap) {
   const EarthPlace place{60, 25, 0, false};
   const BoxMap nowhere = map_at({});
-  EXPECT_NE(support::refusal_of([&] {
-              Locator(nowhere).at(place, "q.jsonl", 3);
-            }).find("q.jsonl:3: a place in degrees has no place on a map"),
-            std::string::npos);
+  EXPECT_TRUE(support::says(support::refusal_of([&] { Locator(nowhere).at(place, "q.jsonl", 3); }),
+                            "q.jsonl:3: a place in degrees has no place on a map"));
   const BoxMap far = map_at(GeodeticOrigin{40, 25, 0});
-  EXPECT_NE(support::refusal_of([&] { Locator(far).at(place, "q.jsonl", 3); }).find("1000 km"),
-            std::string::npos);
+  EXPECT_TRUE(
+      support::says(support::refusal_of([&] { Locator(far).at(place, "q.jsonl", 3); }), "1000 km"));
   const BoxMap other_side = map_at(GeodeticOrigin{0, -155, 0});
   EXPECT_THROW(Locator(other_side).at(place, "q", 0), InputError);
 }

@@ -6,7 +6,7 @@
 
 #include "geom/base/error.h"
 #include "support/random_city.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {

@@ -4,19 +4,16 @@
 
 #include "geom/base/error.h"
 #include "geom/text/json_fields.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {
 
 std::string refusal(const std::string& extra) {
-  try {
+  return support::refusal_of([&] {
     parse_path_record(R"({"type":"path","id":"a","points":[[0,0,0],[1,0,0]],)" + extra + "}", "p",
                       1);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  });
 }
 
 TEST(PathRecord, CarriesHoldsAndVelocitiesThereAndBack) {
@@ -27,7 +24,7 @@ TEST(PathRecord, CarriesHoldsAndVelocitiesThereAndBack) {
   record.hold = {0, 2.5};
   record.velocity = {Vec3(0.1, 0, -1), std::nullopt};
   const std::string line = to_json_line(record);
-  EXPECT_NE(line.find(R"("hold":[0,2.5],"velocity":[[0.1,0,-1],null]})"), std::string::npos);
+  EXPECT_TRUE(support::says(line, R"("hold":[0,2.5],"velocity":[[0.1,0,-1],null]})"));
   const PathRecord back = parse_path_record(line, "p", 1);
   EXPECT_EQ(back.hold, record.hold);
   EXPECT_EQ(back.velocity, record.velocity);
@@ -65,7 +62,7 @@ TEST(Provenance, IsWhatARecordSaysOfIt) {
         std::pair(R"({"margin":-1})", "margin"), std::pair(R"({"margin":1e9})", "margin")}) {
     const std::string said = support::refusal_of([&] { read(json); });
     EXPECT_TRUE(said.starts_with("r.jsonl:7: ")) << json << ": " << said;
-    EXPECT_NE(said.find(named), std::string::npos) << json << ": " << said;
+    EXPECT_TRUE(support::says(said, named)) << json << ": " << said;
   }
 }
 

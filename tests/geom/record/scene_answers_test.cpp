@@ -4,10 +4,12 @@
 
 #include "geom/base/usage_error.h"
 #include "geom/text/json_fields.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {
+
+using support::says;
 
 // A tower around (5, 5) with id 7, a vehicle of 1 m half sizes.
 CollisionScene tower(const std::optional<GeodeticOrigin>& origin = {}) {
@@ -47,32 +49,28 @@ TEST(SceneAnswers, SaysHitClearanceAndNearestBoxOfAPoint) {
 }
 
 TEST(SceneAnswers, ListsSeveralNearestBoxesIfAsked) {
-  EXPECT_NE(answer(R"({"point":[12,5,4],"k":2})").find(R"("nearest":[{"box":7,"distance":)"),
-            std::string::npos);
+  EXPECT_TRUE(says(answer(R"({"point":[12,5,4],"k":2})"), R"("nearest":[{"box":7,"distance":)"));
 }
 
 TEST(SceneAnswers, SaysWhetherASegmentHits) {
-  EXPECT_NE(answer(R"({"segment":[[1,5,4],[12,5,4]]})").find(R"("hit":true)"), std::string::npos);
+  EXPECT_TRUE(says(answer(R"({"segment":[[1,5,4],[12,5,4]]})"), R"("hit":true)"));
   const std::string free = answer(R"({"segment":[[2,15,4],[12,15,4]],"planes":9,"empty_box":2})");
-  EXPECT_NE(free.find(R"("hit":false)"), std::string::npos);
-  EXPECT_NE(free.find(R"("planes":[{"box":7)"), std::string::npos) << free;
-  EXPECT_NE(free.find(R"("empty_box":[[)"), std::string::npos) << free;
+  EXPECT_TRUE(says(free, R"("hit":false)"));
+  EXPECT_TRUE(says(free, R"("planes":[{"box":7)"));
+  EXPECT_TRUE(says(free, R"("empty_box":[[)"));
 }
 
 TEST(SceneAnswers, NamesTheObstaclesThatABoxMeets) {
-  EXPECT_NE(answer(R"({"box":[[0,0,0],[9,9,9]]})").find(R"("hit":true,"boxes":[7])"),
-            std::string::npos);
-  EXPECT_NE(answer(R"({"box":[[9,9,9],[10,10,10]]})").find(R"("hit":false,"boxes":[])"),
-            std::string::npos);
+  EXPECT_TRUE(says(answer(R"({"box":[[0,0,0],[9,9,9]]})"), R"("hit":true,"boxes":[7])"));
+  EXPECT_TRUE(says(answer(R"({"box":[[9,9,9],[10,10,10]]})"), R"("hit":false,"boxes":[])"));
 }
 
 TEST(SceneAnswers, SweepsABoxOfOtherHalfSizes) {
   const auto sweep = [](double half) {
     return answer(R"({"sweep":[[1,9,4],[12,9,4]],"half":[)" + std::to_string(half) + ",1,1]}");
   };
-  EXPECT_NE(sweep(0).find(R"("hit":false)"), std::string::npos);
-  EXPECT_NE(answer(R"({"sweep":[[1,9,4],[12,9,4]],"half":[1,3,1]})").find(R"("hit":true)"),
-            std::string::npos);
+  EXPECT_TRUE(says(sweep(0), R"("hit":false)"));
+  EXPECT_TRUE(says(answer(R"({"sweep":[[1,9,4],[12,9,4]],"half":[1,3,1]})"), R"("hit":true)"));
 }
 
 TEST(SceneAnswers, RefusesARecordThatIsMalformed) {
@@ -89,7 +87,7 @@ TEST(SceneAnswers, RefusesARecordThatIsMalformed) {
 TEST(SceneAnswers, SaysThePlaceOfAPointOnEarth) {
   const CollisionScene scene = tower(GeodeticOrigin{60, 25, 0});
   const std::string said = SceneAnswers(scene, true).answer(R"({"point":[0,0,0]})", "q", 1);
-  EXPECT_NE(said.find(R"("place":"60.0000000N,25.0000000E")"), std::string::npos) << said;
+  EXPECT_TRUE(says(said, R"("place":"60.0000000N,25.0000000E")"));
   const CollisionScene nowhere = tower();
   EXPECT_THROW(SceneAnswers(nowhere, true), UsageError);
 }

@@ -8,7 +8,7 @@
 #include "geom/base/error.h"
 #include "geom/base/parallel.h"
 #include "support/random_city.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {

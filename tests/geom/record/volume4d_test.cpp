@@ -2,9 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <sstream>
-
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {
@@ -15,8 +13,7 @@ const std::string kPolygon =
     R"("outline_polygon":{"vertices":[{"lat":48.2,"lng":16.36},{"lat":48.21,"lng":16.37},{"lat":48.21,"lng":16.36}]})";
 
 std::vector<Volume4d> read(const std::string& text) {
-  std::istringstream in(text);
-  return read_volumes_4d(in, "v.json");
+  return read_volumes_4d(support::Text(text), "v.json");
 }
 
 std::string refusal(const std::string& text) {
@@ -181,8 +178,7 @@ TEST(ReadIntentVolumes, KeepsTheListsApart) {
   off.outline.radius = 5;
   const std::string text =
       operational_intent_details(std::vector{nominal}, 7, std::vector{off, off});
-  std::istringstream in(text);
-  const IntentVolumes read_both = read_intent_volumes(in, "v.json");
+  const IntentVolumes read_both = read_intent_volumes(support::Text(text), "v.json");
   ASSERT_EQ(read_both.nominal.size(), 1u);
   ASSERT_EQ(read_both.off_nominal.size(), 2u);
   EXPECT_EQ(read_both.nominal[0].outline.radius, 3);

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {
@@ -16,7 +16,7 @@ template <class F>
 void expect_refusal(const std::string& json, const F& f, const std::string& named) {
   const std::string said = support::refusal_of([&] { f(fields(json)); });
   EXPECT_TRUE(said.starts_with("r.jsonl:7: ")) << json << ": " << said;
-  EXPECT_NE(said.find(named), std::string::npos) << json << ": " << said;
+  EXPECT_TRUE(support::says(said, named)) << json << ": " << said;
 }
 
 TEST(JsonFields, GiveWhatStandsThere) {

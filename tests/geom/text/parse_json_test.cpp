@@ -15,22 +15,14 @@
 #include "geom/record/record.h"
 #include "geom/text/json_fields.h"
 #include "import/city_json.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {
 
-std::string refusal(const std::function<void()>& read) {
-  try {
-    read();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
-
 std::string refused(std::string_view text, std::size_t line = 0) {
-  const std::string ordered = refusal([&] { parse_ordered_json(text, "f"); });
-  const std::string message = refusal([&] { parse_json(text, "f", line); });
+  const std::string ordered = support::refusal_of([&] { parse_ordered_json(text, "f"); });
+  const std::string message = support::refusal_of([&] { parse_json(text, "f", line); });
   if (line == 0) {
     EXPECT_EQ(message, ordered);
   }
@@ -58,11 +50,11 @@ TEST(ParseJson, RefusesWhatIsNestedTooDeep) {
   EXPECT_EQ(parse_json(nested(kDeepestJson), "f").size(), 1u);
   EXPECT_EQ(refused(nested(kDeepestJson + 1)),
             "f:1: column 101: expected lists and objects nested at most 100 deep, found more");
-  EXPECT_NE(refused(nested(75000)), "accepted");
-  EXPECT_NE(refused(std::string(75000, '[')), "accepted");
+  EXPECT_NE(refused(nested(75000)), "");
+  EXPECT_NE(refused(std::string(75000, '[')), "");
   std::string objects;
   for (int i = 0; i < 75000; ++i) objects += "{\"a\":";
-  EXPECT_NE(refused(objects), "accepted");
+  EXPECT_NE(refused(objects), "");
 }
 
 TEST(ParseJson, RefusesAKeyThatComesTwice) {
@@ -70,16 +62,16 @@ TEST(ParseJson, RefusesAKeyThatComesTwice) {
             "f:1: column 13: expected each key once, found \"margin\" again");
   EXPECT_EQ(refused("{\"a\":{\"b\":1,\n\"\\u0062\":2}}"),
             "f:2: column 1: expected each key once, found \"b\" again");
-  EXPECT_EQ(refused(R"([{"a":1},{"a":1}])"), "accepted");
+  EXPECT_EQ(refused(R"([{"a":1},{"a":1}])"), "");
 }
 
 TEST(ParseJson, RefusesNumbersBeyondADouble) {
   EXPECT_EQ(refused("[1,1e999]"),
             "f:1: column 4: expected a number that a double holds (up to 1.8e308), found 1e999");
-  EXPECT_NE(refused("-1e400"), "accepted");
-  EXPECT_NE(refused(std::string(400, '9')), "accepted");
+  EXPECT_NE(refused("-1e400"), "");
+  EXPECT_NE(refused(std::string(400, '9')), "");
   for (const char* const word : {"NaN", "Infinity", "-inf", "+1", ".5", "1.", "0x10", "01"}) {
-    EXPECT_NE(refused(word), "accepted") << word;
+    EXPECT_NE(refused(word), "") << word;
   }
 }
 
@@ -111,7 +103,7 @@ TEST(ParseJson, RefusesStringsThatAreNone) {
   for (const std::string& text :
        {std::string("\"abc"), std::string("\"a\nb\""), std::string("\"\xff\""),
         std::string("\"\\q\""), std::string("\"\\ud800\"")}) {
-    EXPECT_NE(refused(text).find("expected a string in UTF-8"), std::string::npos) << refused(text);
+    EXPECT_TRUE(support::says(refused(text), "expected a string in UTF-8"));
   }
 }
 
@@ -122,7 +114,7 @@ TEST(ParseJson, ShowsLittleOfWhatStood) {
       refused("{\"" + std::string(1 << 20, 'k') + "\":1,\"" + std::string(1 << 20, 'k') + "\":2}")
           .size(),
       200u);
-  EXPECT_EQ(refused("[\x1b[2J]").find('\x1b'), std::string::npos);
+  EXPECT_FALSE(support::says(refused("[\x1b[2J]"), "\x1b"));
   EXPECT_EQ(shown(parse_json(R"({"b":[1,2],"a":"x"})", "f")), R"({"a":"x","b":[1,2]})");
   EXPECT_LE(shown(parse_json("[" + std::string(999, ' ') +
                                  "1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,"
@@ -137,10 +129,7 @@ TEST(ParseJson, ShowsLittleOfWhatStood) {
 TEST(ParseJson, IsWhatEveryReaderUses) {
   const Frame frame{Axes::enu, GeodeticOrigin{60, 25, 0}, ""};
   const auto streamed = [](const auto& read) {
-    return [read](const std::string& text) {
-      std::istringstream in(text);
-      read(in);
-    };
+    return [read](const std::string& text) { read(support::Text(text)); };
   };
   const std::pair<const char*, std::function<void(const std::string&)>> readers[] = {
       {"fields", [](const std::string& text) { JsonFields(text, "f", 1); }},
@@ -154,9 +143,9 @@ TEST(ParseJson, IsWhatEveryReaderUses) {
     for (const std::string& text :
          {deep, "{\"id\":" + deep + "}", std::string("{\"type\":1,\"type\":2}"),
           std::string("{\"type\":1e999}"), std::string("{\"type\":"), std::string("{} {}")}) {
-      const std::string message = refusal([&] { read(text); });
+      const std::string message = support::refusal_of([&] { read(text); });
       EXPECT_TRUE(message.starts_with("f:1: column ")) << name << ": " << message;
-      EXPECT_EQ(message.find("exception"), std::string::npos) << name << ": " << message;
+      EXPECT_FALSE(support::says(message, "exception")) << name << ": " << message;
     }
   }
 }
@@ -164,8 +153,8 @@ TEST(ParseJson, IsWhatEveryReaderUses) {
 TEST(ParseJson, ReadsPastNoByteOfZero) {
   EXPECT_EQ(refused({"{}\0{}", 5}),
             "f:1: column 3: this is not JSON: expected nothing after the value, found \\x00{");
-  EXPECT_NE(refused({"[1\0]", 4}), "accepted");
-  EXPECT_NE(refused({"\0", 1}), "accepted");
+  EXPECT_NE(refused({"[1\0]", 4}), "");
+  EXPECT_NE(refused({"\0", 1}), "");
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <system_error>
 
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {
@@ -38,10 +38,10 @@ TEST(XmlElement, HasItsChildrenInTheirOrderAtEveryDepth) {
 TEST(XmlElement, IsRefusedByTheRulesOfTheReader) {
   EXPECT_EQ(support::refusal_of([] { parse_xml("<a>\n</b>", "f.xml"); }),
             "f.xml:2: expected the end of the element of line 1, found another's");
-  EXPECT_NE(support::refusal_of([] {
-              parse_xml("<!DOCTYPE a [<!ENTITY b \"cc\">]><a>&b;</a>", "f.xml");
-            }).find("expected no document type"),
-            std::string::npos);
+  EXPECT_TRUE(support::says(support::refusal_of([] {
+                              parse_xml("<!DOCTYPE a [<!ENTITY b \"cc\">]><a>&b;</a>", "f.xml");
+                            }),
+                            "expected no document type"));
 }
 
 }  // namespace

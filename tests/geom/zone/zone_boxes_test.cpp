@@ -15,10 +15,8 @@ namespace geom {
 namespace {
 
 BoxMapSpec spec_at(double latitude, double longitude) {
-  BoxMapSpec spec;
-  spec.bounds = {{-1000, -1000, 0}, {1000, 1000, 500}};
-  spec.frame.origin = GeodeticOrigin{latitude, longitude, 0};
-  return spec;
+  return {.frame = {.origin = GeodeticOrigin{latitude, longitude, 0}},
+          .bounds = {{-1000, -1000, 0}, {1000, 1000, 500}}};
 }
 
 ZoneFile circle(double latitude, double longitude, double radius) {

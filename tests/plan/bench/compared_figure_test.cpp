@@ -3,12 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "geom/base/error.h"
+#include "support/reading.h"
 
 namespace {
-
-bool holds(const std::string& svg, const std::string& words) {
-  return svg.find(words) != std::string::npos;
-}
 
 plan::bench::ShownReport parsed(const char* json) {
   return plan::bench::parse_report(geom::JsonFields(json, "report.json", 0), "set");
@@ -23,9 +20,10 @@ TEST(ComparedFigure, ShowsLengthOverTheBestOnlyWhereAllHaveIt) {
       R"({"type":"benchmark","methods":[{"method":"b","trials":4,"found":4,)"
       R"("time_ms":{"mean":0.2},"length_over_straight":{"mean":1.3,"p50":1.2,"p99":2}}]})";
   const plan::bench::ShownReport both[] = {parsed(best), parsed(straight)};
-  EXPECT_TRUE(holds(plan::bench::compared_figure(std::span(both, 1)), "over the best known"));
-  EXPECT_TRUE(holds(plan::bench::compared_figure(both), "over the straight line"));
-  EXPECT_TRUE(holds(plan::bench::compared_figure(both), "3 of 4"));
+  EXPECT_TRUE(
+      support::says(plan::bench::compared_figure(std::span(both, 1)), "over the best known"));
+  EXPECT_TRUE(support::says(plan::bench::compared_figure(both), "over the straight line"));
+  EXPECT_TRUE(support::says(plan::bench::compared_figure(both), "3 of 4"));
 }
 
 TEST(ComparedFigure, RefusesOtherRecords) {

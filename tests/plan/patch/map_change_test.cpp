@@ -89,11 +89,9 @@ TEST_P(PatchProperty, RoadmapMayHaveOtherBounds) {
 
 TEST_P(PatchProperty, RoadmapMayHaveBoxesInAnotherOrder) {
   const auto before = scene_of(was_, kBounds, kHalf);
-  geom::BoxMapSpec spec;
-  spec.bounds = kBounds;
-  spec.bounds_from = "option";
+  geom::BoxMapSpec spec{.bounds = kBounds, .bounds_from = "option"};
   spec.tile_size = 7;
-  const geom::CollisionScene after(geom::BoxMap(spec, support::table_of(changed(random_, was_, 3))),
+  const geom::CollisionScene after({spec, support::table_of(changed(random_, was_, 3))},
                                    {"box", kHalf}, 0);
   const Roadmap patched =
       patch_roadmap(build_roadmap(before, {}), after, change_since(before.map(), after));

@@ -11,12 +11,8 @@
 namespace plan {
 namespace {
 
-geom::CollisionScene city(std::uint64_t seed) {
-  return {support::random_city(seed, 60, 200), {"box", {1, 1, 0.5}}, 0.25};
-}
-
 TEST(Taut, IsNeverLongerAndEveryLegIsFree) {
-  const auto scene = city(4);
+  const auto scene = small_city(4);
   Planner planner(scene, nullptr);
   support::Random random(4);
   int tried = 0;

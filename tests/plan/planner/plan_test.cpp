@@ -303,11 +303,8 @@ TEST(Planner, AnswersTheSameInAnyOrderAndOnAnyThreads) {
 }
 
 TEST(Planner, FindsTheHoleInAWallAndEveryLegIsFree) {
-  geom::BoxMapSpec spec;
-  spec.bounds = {{0, 0, 0}, {100, 60, 40}};
   const std::vector<geom::Aabb> boxes = {{{48, 0, 0}, {52, 26, 40}}, {{48, 34, 0}, {52, 60, 40}}};
-  const geom::CollisionScene scene(geom::BoxMap(spec, support::table_of(boxes)), {"box", {1, 1, 1}},
-                                   0);
+  const auto scene = scene_of(boxes, {{0, 0, 0}, {100, 60, 40}}, {1, 1, 1});
   const PlanResult result = planned(scene, {10, 5, 10}, {90, 5, 10}, {.resample = 5});
   ASSERT_EQ(result.status, PathStatus::found);
   EXPECT_EQ(result.path.front(), Vec3(10, 5, 10));

@@ -6,22 +6,18 @@
 
 #include "path/taut.h"
 #include "plan/planner/plan.h"
+#include "plan/scenes.h"
 #include "roadmap/tiled.h"
 #include "support/random_city.h"
 
 namespace plan {
 namespace {
 
-geom::CollisionScene city(std::uint64_t seed) {
-  return {support::random_city(seed, 60, 200), {"box", {1, 1, 0.5}}, 0.25};
-}
+const geom::Aabb kBounds{{-50, -50, 0}, {50, 50, 60}};
 
 // The shortest way over and round one wall, by trying all heights of its edges.
 TEST(Roadmap, FindsTheShortestWayOverAWall) {
-  geom::BoxMapSpec spec;
-  spec.bounds = {{-50, -50, 0}, {50, 50, 60}};
-  const geom::CollisionScene scene(
-      geom::BoxMap(spec, support::table_of({{{-1, -60, 0}, {1, 60, 20}}})), {"box", {1, 1, 1}}, 0);
+  const auto scene = scene_of({{{-1, -60, 0}, {1, 60, 20}}}, kBounds, {1, 1, 1});
   const Roadmap roadmap = build_roadmap(scene, {});
   RoadmapSearch search(scene, roadmap);
   const Vec3 from(-20, -10, 5);
@@ -37,16 +33,13 @@ TEST(Roadmap, FindsTheShortestWayOverAWall) {
 
 // However many bends a closed room does not see, only so many of them are looked at.
 TEST(Roadmap, GivesUpWhereTheStartSeesNothing) {
-  geom::BoxMapSpec spec;
-  spec.bounds = {{-50, -50, 0}, {50, 50, 60}};
   std::vector<geom::Aabb> boxes = {{{-10, -10, 0}, {10, -9, 9}},
                                    {{-10, 9, 0}, {10, 10, 9}},
                                    {{-10, -10, 0}, {-9, 10, 9}},
                                    {{9, -10, 0}, {10, 10, 9}},
                                    {{-10, -10, 9}, {10, 10, 10}}};
   for (double x = -45; x < 45; x += 9) boxes.push_back({{x, 20, 0}, {x + 2, 22, 9}});
-  const geom::CollisionScene scene(geom::BoxMap(spec, support::table_of(boxes)), {"box", {1, 1, 1}},
-                                   0);
+  const auto scene = scene_of(boxes, kBounds, {1, 1, 1});
   const Roadmap roadmap = build_roadmap(scene, {});
   ASSERT_GT(roadmap.bends(), 50u);
   RoadmapSearch search(scene, roadmap);
@@ -61,12 +54,7 @@ TEST(Roadmap, GivesUpWhereTheStartSeesNothing) {
 // A box that ends a hair below a flat one covers nothing of its upright edges, which have no
 // length.
 TEST(Roadmap, BendsAtTheCornersOfAFlatBox) {
-  geom::BoxMapSpec spec;
-  spec.bounds = {{-50, -50, 0}, {50, 50, 60}};
-  const geom::CollisionScene scene(
-      geom::BoxMap(spec,
-                   support::table_of({{{0, 0, 5}, {10, 10, 5}}, {{-1, -1, 0}, {12, 12, 4.9985}}})),
-      {"box", {0, 0, 0}}, 0);
+  const auto scene = scene_of({{{0, 0, 5}, {10, 10, 5}}, {{-1, -1, 0}, {12, 12, 4.9985}}}, kBounds);
   const Roadmap roadmap = build_roadmap(scene, {});
   const std::vector<Bend> bends = flattened(roadmap).tiles.bends;
   EXPECT_EQ(
@@ -78,7 +66,7 @@ TEST(Roadmap, BendsAtTheCornersOfAFlatBox) {
 class RoadmapProperty : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(RoadmapProperty, BendsAreFreeAndEdgesSeeEachOtherBothWays) {
-  const auto scene = city(GetParam());
+  const auto scene = small_city(GetParam());
   const Roadmap roadmap = build_roadmap(scene, {10, 120, {}}, {2, {}});
   const auto [tiles, edges] = flattened(roadmap);
   ASSERT_GT(tiles.bends.size(), 100u);
@@ -96,20 +84,28 @@ TEST_P(RoadmapProperty, BendsAreFreeAndEdgesSeeEachOtherBothWays) {
   }
 }
 
+// Free places that do not see each other.
+std::pair<Vec3, Vec3> blocked_pair(const geom::CollisionScene& scene, support::Random& random,
+                                   double side, double high) {
+  const auto point = [&] {
+    return Vec3(random.uniform(-side, side), random.uniform(-side, side), random.uniform(1, high));
+  };
+  while (true) {
+    const Vec3 from = point();
+    const Vec3 to = point();
+    if (scene.free(from) && scene.free(to) && !scene.free(from, to)) return {from, to};
+  }
+}
+
 // A search that finds tiles loaded by others gives what the first gives.
 TEST_P(RoadmapProperty, AnswersDoNotDependOnEarlierSearches) {
-  const auto scene = city(GetParam());
+  const auto scene = small_city(GetParam());
   const Roadmap roadmap = build_roadmap(scene, {10, 60, {}}, {2, {}});
   RoadmapSearch kept(scene, roadmap);
   support::Random random(GetParam());
   int compared = 0;
   while (compared < 30) {
-    const auto point = [&] {
-      return Vec3(random.uniform(-190, 190), random.uniform(-190, 190), random.uniform(1, 20));
-    };
-    const Vec3 from = point();
-    const Vec3 to = point();
-    if (!scene.free(from) || !scene.free(to) || scene.free(from, to)) continue;
+    const auto [from, to] = blocked_pair(scene, random, 190, 20);
     ++compared;
     const RoadmapResult a = kept.search(from, to, {20000, 4, 0.1});
     const RoadmapResult b = RoadmapSearch(scene, roadmap).search(from, to, {20000, 4, 0.1});
@@ -119,19 +115,14 @@ TEST_P(RoadmapProperty, AnswersDoNotDependOnEarlierSearches) {
 }
 
 TEST_P(RoadmapProperty, FindsTheSameWaysWhereEdgesAreYetToBeLookedFor) {
-  const auto scene = city(GetParam());
+  const auto scene = small_city(GetParam());
   const Roadmap roadmap = build_roadmap(scene, {10, 120, {}}, {2, {}});
   RoadmapSearch by_edges(scene, roadmap);
   RoadmapSearch by_bends(scene, flattened(roadmap).tiles.bends, roadmap.spec.reach);
   support::Random random(GetParam());
   int compared = 0;
   while (compared < 40) {
-    const auto point = [&] {
-      return Vec3(random.uniform(-150, 150), random.uniform(-150, 150), random.uniform(1, 20));
-    };
-    const Vec3 from = point();
-    const Vec3 to = point();
-    if (!scene.free(from) || !scene.free(to) || scene.free(from, to)) continue;
+    const auto [from, to] = blocked_pair(scene, random, 150, 20);
     ++compared;
     const RoadmapResult a = by_edges.search(from, to, {});
     const RoadmapResult b = by_bends.search(from, to, {});
@@ -152,7 +143,7 @@ TEST_P(RoadmapProperty, FindsTheSameWaysWhereEdgesAreYetToBeLookedFor) {
 }
 
 TEST_P(RoadmapProperty, PathsAreFreeAndHardlyLongerThanTheFinestLattices) {
-  const auto scene = city(GetParam());
+  const auto scene = small_city(GetParam());
   const Roadmap roadmap = build_roadmap(scene, {});
   Planner by_roadmap(scene, nullptr, &roadmap);
   Planner by_lattice(scene, nullptr);
@@ -161,12 +152,7 @@ TEST_P(RoadmapProperty, PathsAreFreeAndHardlyLongerThanTheFinestLattices) {
   double lattices = 0;
   int compared = 0;
   while (compared < 40) {
-    const auto point = [&] {
-      return Vec3(random.uniform(-150, 150), random.uniform(-150, 150), random.uniform(1, 40));
-    };
-    const Vec3 from = point();
-    const Vec3 to = point();
-    if (!scene.free(from) || !scene.free(to) || scene.free(from, to)) continue;
+    const auto [from, to] = blocked_pair(scene, random, 150, 40);
     const PlanResult a = by_roadmap.plan(from, to, {});
     const PlanResult b = by_lattice.plan(from, to, {});
     ASSERT_EQ(a.status, b.status);

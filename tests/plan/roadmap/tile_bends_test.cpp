@@ -5,15 +5,12 @@
 #include <algorithm>
 #include <tuple>
 
+#include "plan/scenes.h"
 #include "roadmap/bends.h"
 #include "support/random_city.h"
 
 namespace plan {
 namespace {
-
-geom::CollisionScene city(std::uint64_t seed) {
-  return {support::random_city(seed, 60, 200), {"box", {1, 1, 0.5}}, 0.25};
-}
 
 using Key = std::tuple<double, double, double, int, int, int>;
 
@@ -37,7 +34,7 @@ class TileBendsProperty : public testing::TestWithParam<std::uint64_t> {};
 
 // Made without tiles: around one box after the other.
 TEST_P(TileBendsProperty, HasEachBendInOneTile) {
-  const auto scene = city(GetParam());
+  const auto scene = small_city(GetParam());
   const std::vector<Bend> tiled = all_tiles(scene, {10, 20, {}}).bends;
   std::vector<Bend> plain;
   for (std::size_t i = 0; i < scene.map().size(); ++i) {
@@ -48,13 +45,10 @@ TEST_P(TileBendsProperty, HasEachBendInOneTile) {
 
 // A long wall and a slab over all of it have bends in many squares, each found in its own alone.
 TEST(TileBends, AreFoundAlongBoxesOfManySquares) {
-  geom::BoxMapSpec spec;
-  spec.bounds = {{-2000, -2000, 0}, {2000, 2000, 60}};
-  const geom::CollisionScene scene(
-      geom::BoxMap(spec, support::table_of({{{-1500, -700, 20}, {1430, 900, 21}},
-                                            {{-1200, 10, 0}, {1300, 12, 9}},
-                                            {{100, 5, 0}, {120, 30, 30}}})),
-      {"box", {1, 1, 1}}, 0);
+  const auto scene = scene_of({{{-1500, -700, 20}, {1430, 900, 21}},
+                               {{-1200, 10, 0}, {1300, 12, 9}},
+                               {{100, 5, 0}, {120, 30, 30}}},
+                              {{-2000, -2000, 0}, {2000, 2000, 60}}, {1, 1, 1});
   for (const double part : {3.0, 10.0, 400.0}) {
     const TileBends tiles = all_tiles(scene, {part, 20, {}});
     std::vector<Bend> plain;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "geom/base/error.h"
+#include "plan/scenes.h"
 #include "roadmap/bends.h"
 #include "roadmap/tile_reader.h"
 #include "support/random_city.h"
@@ -12,15 +13,11 @@
 namespace plan {
 namespace {
 
-geom::CollisionScene city(std::uint64_t seed) {
-  return {support::random_city(seed, 60, 200), {"box", {1, 1, 0.5}}, 0.25};
-}
-
 class TiledProperty : public testing::TestWithParam<std::uint64_t> {};
 
 // Against all pairs, over the borders of several tiles.
 TEST_P(TiledProperty, HasAllEdgesThatThereAre) {
-  const auto scene = city(GetParam());
+  const auto scene = small_city(GetParam());
   const auto [tiles, edges] = flattened(build_roadmap(scene, {10, 70, {}}, {2, {}}));
   ASSERT_GT(tiles.squares.size(), 3u);
   const std::vector<Bend>& bends = tiles.bends;
@@ -35,7 +32,7 @@ TEST_P(TiledProperty, HasAllEdgesThatThereAre) {
 }
 
 TEST_P(TiledProperty, ComesBackAsItWas) {
-  const auto scene = city(GetParam());
+  const auto scene = small_city(GetParam());
   const Roadmap roadmap = build_roadmap(scene, {10, 70, {}});
   const FlatRoadmap flat = flattened(roadmap);
   const Roadmap back = tiled(roadmap.spec, flat.tiles, 0, flat.tiles.squares.size(), flat.edges, 2);

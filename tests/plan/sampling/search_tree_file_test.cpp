@@ -7,7 +7,7 @@
 #include "geom/base/error.h"
 #include "plan/sampling/rrt.h"
 #include "plan/scenes.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace plan {
 namespace {

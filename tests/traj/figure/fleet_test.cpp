@@ -2,11 +2,9 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+#include "support/reading.h"
 
-bool holds(const std::string& svg, const std::string& words) {
-  return svg.find(words) != std::string::npos;
-}
+namespace {
 
 TEST(InTheAir, CountsFromDepartureUntilArrival) {
   const std::vector<traj::figure::FleetFlight> flights{
@@ -34,12 +32,12 @@ TEST(FleetPlot, SaysDelaysTheNearestPairAndTheMostInTheAir) {
   for (const char* words :
        {"3 flights", "2 of 3 flights late", "5 s in the mean", "10 s at most", "1 pair within 20 m",
         "least 1.25 m: a&lt;b and d at 10 s", "2 in the air at once at most, at 5 s"}) {
-    EXPECT_TRUE(holds(svg, words)) << words;
+    EXPECT_TRUE(support::says(svg, words)) << words;
   }
-  EXPECT_FALSE(holds(svg, "nan"));
+  EXPECT_FALSE(support::says(svg, "nan"));
   const std::vector<traj::figure::FleetFlight> alone{{"a", 0, 1, {}}};
-  EXPECT_TRUE(holds(traj::figure::fleet(alone, {50, {}}), "no pair within 50 m"));
-  EXPECT_TRUE(holds(traj::figure::fleet(alone, {50, {}}), "no delays"));
+  EXPECT_TRUE(support::says(traj::figure::fleet(alone, {50, {}}), "no pair within 50 m"));
+  EXPECT_TRUE(support::says(traj::figure::fleet(alone, {50, {}}), "no delays"));
 }
 
 }  // namespace

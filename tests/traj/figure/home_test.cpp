@@ -4,15 +4,12 @@
 
 #include "figure/home_band.h"
 #include "support/random_city.h"
+#include "support/reading.h"
 
 namespace {
 
 using traj::figure::HomeFlight;
 using traj::figure::TimeSpans;
-
-bool holds(const std::string& svg, const std::string& words) {
-  return svg.find(words) != std::string::npos;
-}
 
 std::size_t count(const std::string& svg, const std::string& words) {
   std::size_t out = 0;
@@ -96,10 +93,10 @@ TEST(HomePlot, SaysShareHeightsAndWhatIsInTheWay) {
         "least return height 74.5 m", "rtl, 60 m above home",
         "2.0 to 7.0 s, item 4 (leg): on its way home it meets obstacle 1549", "height, m",
         "at 74.5 m above home it is proved from every instant"}) {
-    EXPECT_TRUE(holds(svg, words)) << words;
+    EXPECT_TRUE(support::says(svg, words)) << words;
   }
-  EXPECT_FALSE(holds(svg, "planned"));
-  EXPECT_FALSE(holds(svg, "nan"));
+  EXPECT_FALSE(support::says(svg, "planned"));
+  EXPECT_FALSE(support::says(svg, "nan"));
 }
 
 TEST(HomePlot, SaysABetterHeightWhereNoneIsEnough) {
@@ -109,15 +106,15 @@ TEST(HomePlot, SaysABetterHeightWhereNoneIsEnough) {
   flight.returns[0].best_height = 45;
   flight.returns[0].best_share = 0.75;
   const std::string better = traj::figure::home(flight);
-  EXPECT_TRUE(
-      holds(better, "at 45 m above home it is proved for 75.0 %, and at no height for more"));
-  EXPECT_TRUE(holds(better, "best return height 45 m"));
-  EXPECT_TRUE(holds(traj::figure::homes(std::vector{flight}), "45 m: 75.0 %"));
+  EXPECT_TRUE(support::says(
+      better, "at 45 m above home it is proved for 75.0 %, and at no height for more"));
+  EXPECT_TRUE(support::says(better, "best return height 45 m"));
+  EXPECT_TRUE(support::says(traj::figure::homes(std::vector{flight}), "45 m: 75.0 %"));
   flight.returns[0].best_share = 0.5;
   const std::string no_better = traj::figure::home(flight);
-  EXPECT_TRUE(holds(no_better, "no return height makes all of it safe"));
-  EXPECT_FALSE(holds(no_better, "best return height"));
-  EXPECT_TRUE(holds(traj::figure::homes(std::vector{flight}), ">none<"));
+  EXPECT_TRUE(support::says(no_better, "no return height makes all of it safe"));
+  EXPECT_FALSE(support::says(no_better, "best return height"));
+  EXPECT_TRUE(support::says(traj::figure::homes(std::vector{flight}), ">none<"));
 }
 
 TEST(HomePlot, SaysPlannedWaysAndTheirEnergy) {
@@ -131,11 +128,12 @@ TEST(HomePlot, SaysPlannedWaysAndTheirEnergy) {
        {"q1: a planned way home for 60.0 %", "planned ways home",
         "6.0 to 10.0 s: not enough energy for the planned way home to pad",
         "how long the planned way home takes, at most", "or not the energy for it"}) {
-    EXPECT_TRUE(holds(svg, words)) << words;
+    EXPECT_TRUE(support::says(svg, words)) << words;
   }
-  EXPECT_FALSE(holds(svg, "return proved"));
+  EXPECT_FALSE(support::says(svg, "return proved"));
   flight.ways = {none};
-  EXPECT_TRUE(holds(traj::figure::home(flight), "no way home was found from near (1, 2, 3)"));
+  EXPECT_TRUE(
+      support::says(traj::figure::home(flight), "no way home was found from near (1, 2, 3)"));
 }
 
 TEST(HomePlot, OfManyGapsSaysHowManyMore) {
@@ -143,7 +141,7 @@ TEST(HomePlot, OfManyGapsSaysHowManyMore) {
   TimeSpans gaps;
   for (int i = 0; i < 30; ++i) gaps.emplace_back(i, i + 0.5);
   flight.returns = {returns_of(30, gaps)};
-  EXPECT_TRUE(holds(traj::figure::home(flight), "and 16 more"));
+  EXPECT_TRUE(support::says(traj::figure::home(flight), "and 16 more"));
 }
 
 TEST(HomesPlot, HasTheSmallestShareFirst) {
@@ -161,9 +159,9 @@ TEST(HomesPlot, HasTheSmallestShareFirst) {
                             "A return is proved from every instant of 1 of 3 flights, and from "
                             "82.0 % of all their time",
                             ">20.0 %<", ">90.0 %<", ">100.0 %<"}) {
-    EXPECT_TRUE(holds(svg, words)) << words;
+    EXPECT_TRUE(support::says(svg, words)) << words;
   }
-  EXPECT_FALSE(holds(svg, "more"));
+  EXPECT_FALSE(support::says(svg, "more"));
 }
 
 TEST(HomesPlot, OfManyFlightsHasTheFirstAndAHistogramOfAll) {
@@ -173,8 +171,8 @@ TEST(HomesPlot, OfManyFlightsHasTheFirstAndAHistogramOfAll) {
     flights.back().returns = {returns_of(100, {{0, i % 100}})};
   }
   const std::string svg = traj::figure::homes(flights);
-  EXPECT_TRUE(holds(svg, "and 260 more"));
-  EXPECT_TRUE(holds(svg, "how many have which share"));
+  EXPECT_TRUE(support::says(svg, "and 260 more"));
+  EXPECT_TRUE(support::says(svg, "how many have which share"));
   EXPECT_EQ(count(svg, ">1.0 %<"), 3u);  // of 99 s without
   EXPECT_LT(svg.size(), 60000u);
 }

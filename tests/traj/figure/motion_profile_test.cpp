@@ -2,11 +2,9 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+#include "support/reading.h"
 
-bool holds(const std::string& svg, const std::string& words) {
-  return svg.find(words) != std::string::npos;
-}
+namespace {
 
 TEST(MotionProfile, ShowsUnitsAndLimitsOnce) {
   traj::TrajectoryRecord record;
@@ -23,10 +21,10 @@ TEST(MotionProfile, ShowsUnitsAndLimitsOnce) {
         "snap, m/s\u2074",
         "\u222b |jerk|\u00b2 dt = ", "\u222b |snap|\u00b2 dt = ", "m\u00b2/s\u2077", "tilt, \u00b0",
         "time, s", "vmax 8", "tilt 28.65", "a&lt;b: 5.00 s", "east", "north"}) {
-    EXPECT_TRUE(holds(svg, words)) << words;
+    EXPECT_TRUE(support::says(svg, words)) << words;
   }
-  EXPECT_FALSE(holds(svg, "amax"));
-  EXPECT_FALSE(holds(svg, "nan"));
+  EXPECT_FALSE(support::says(svg, "amax"));
+  EXPECT_FALSE(support::says(svg, "nan"));
 }
 
 TEST(MotionProfile, SaysHowMuchFasterAnyOtherCouldBe) {
@@ -37,12 +35,13 @@ TEST(MotionProfile, SaysHowMuchFasterAnyOtherCouldBe) {
   end.position = {10, 0, 0};
   record.trajectory.segments = {traj::hermite({}, end, 5)};
   record.limits[geom::Limit::speed] = 4;
-  EXPECT_FALSE(holds(traj::figure::motion_profile(record), "slower"));
+  EXPECT_FALSE(support::says(traj::figure::motion_profile(record), "slower"));
   record.bound = 10;
   record.duration_bound = 2.4;
-  EXPECT_TRUE(holds(traj::figure::motion_profile(record), "at most 100.1 % slower than any"));
+  EXPECT_TRUE(
+      support::says(traj::figure::motion_profile(record), "at most 100.1 % slower than any"));
   record.duration_bound = 2.6;  // 10 m at 4 m/s take 2.5 s
-  EXPECT_FALSE(holds(traj::figure::motion_profile(record), "slower"));
+  EXPECT_FALSE(support::says(traj::figure::motion_profile(record), "slower"));
 }
 
 }  // namespace

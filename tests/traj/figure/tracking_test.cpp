@@ -2,11 +2,9 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+#include "support/reading.h"
 
-bool holds(const std::string& svg, const std::string& words) {
-  return svg.find(words) != std::string::npos;
-}
+namespace {
 
 TEST(Tracking, StatesTheErrors) {
   traj::FlightLog log{"f", "", {}};
@@ -17,10 +15,10 @@ TEST(Tracking, StatesTheErrors) {
     log.samples.push_back(s);
   }
   const std::string svg = traj::figure::tracking(log);
-  EXPECT_TRUE(holds(svg, "f: 3.00 s flown, tracking error 2 m root mean square"));
-  EXPECT_TRUE(holds(svg, "largest 4 m"));
+  EXPECT_TRUE(support::says(svg, "f: 3.00 s flown, tracking error 2 m root mean square"));
+  EXPECT_TRUE(support::says(svg, "largest 4 m"));
   log.samples.resize(1);  // one row has no time to show
-  EXPECT_FALSE(holds(traj::figure::tracking(log), "nan"));
+  EXPECT_FALSE(support::says(traj::figure::tracking(log), "nan"));
 }
 
 }  // namespace

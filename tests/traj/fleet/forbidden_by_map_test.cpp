@@ -7,25 +7,24 @@
 #include "support/random_city.h"
 #include "traj/fleet/departures.h"
 #include "traj/proof/check.h"
+#include "traj/scenes.h"
 
 namespace traj {
 namespace {
 
 using geom::CollisionScene;
 using geom::TimeSpan;
+using testing::rest;
 
 constexpr double kForever = std::numeric_limits<double>::infinity();
 
 CollisionScene scene_of(const std::vector<geom::Aabb>& boxes, const std::vector<TimeSpan>& times) {
-  geom::BoxMapSpec spec;
-  spec.bounds = {{-200, -200, -200}, {200, 200, 200}};
-  spec.epoch = "2026-05-04T06:30:00Z";
   geom::BoxTable table = support::table_of(boxes);
   for (std::size_t i = 0; i < times.size(); ++i) table.set_time(i, times[i]);
-  return {geom::BoxMap(spec, table), {"box", {0.5, 0.5, 0.5}}, 0};
+  const geom::Aabb bounds{Vec3::Constant(-200), Vec3::Constant(200)};
+  return {
+      {{.bounds = bounds, .epoch = "2026-05-04T06:30:00Z"}, table}, {"box", {0.5, 0.5, 0.5}}, 0};
 }
-
-State rest(const Vec3& p) { return {p, Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}; }
 
 // 20 s along x from -100 to 100 at 10 m/s.
 Trajectory steady() {

@@ -7,10 +7,12 @@
 
 #include "geom/base/error.h"
 #include "geom/base/random.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace traj {
 namespace {
+
+using support::says;
 
 std::string text_of(const std::vector<FlightLog>& logs) {
   std::ostringstream out;
@@ -19,8 +21,7 @@ std::string text_of(const std::vector<FlightLog>& logs) {
 }
 
 std::vector<FlightLog> read(const std::string& text) {
-  std::istringstream in(text);
-  return read_flight_log(in, "log.csv");
+  return read_flight_log(support::Text(text), "log.csv");
 }
 
 std::string refusal(const std::string& text) {
@@ -89,11 +90,10 @@ TEST(FlightLog, ComesBackBitForBit) {
 TEST(FlightLog, NamesItsMapInTheFirstRowOfAFlight) {
   const FlightLog log{"q", "sha256:a", {FlightSample{}, FlightSample{.time = 1}}};
   const std::string text = text_of({log});
-  EXPECT_NE(text.find(",0,sha256:a\nq,1,"), std::string::npos) << text;
+  EXPECT_TRUE(says(text, ",0,sha256:a\nq,1,"));
   EXPECT_EQ(text.substr(text.size() - 3), "0,\n");
   const std::string again = text.substr(0, text.size() - 1) + "sha256:b\n";
-  EXPECT_NE(refusal(again).find("log.csv:3: the map must stand in the first row"),
-            std::string::npos);
+  EXPECT_TRUE(says(refusal(again), "log.csv:3: the map must stand in the first row"));
 }
 
 TEST(FlightLog, IsReadWithCarriageReturnsAndBlankLines) {
@@ -104,26 +104,20 @@ TEST(FlightLog, IsReadWithCarriageReturnsAndBlankLines) {
 TEST(FlightLog, RefusesWhatIsNotOne) {
   const std::string row =
       "q,0,0,0,0,0,0,0,1,0,0,0" + std::string(",0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,\n");
-  EXPECT_NE(refusal("").find("expected the header id,t_s"), std::string::npos);
-  EXPECT_NE(refusal(kHeader).find("at least one row"), std::string::npos);
-  EXPECT_NE(refusal(kHeader + "q,0,1\n").find("log.csv:2: expected 28 columns, found 3"),
-            std::string::npos);
-  EXPECT_NE(refusal(kHeader + row + row).find("log.csv:3: t_s must grow, found 0 after 0"),
-            std::string::npos);
-  EXPECT_NE(refusal(kHeader + row + "p" + row.substr(1) + row).find("must stand together; \"q\""),
-            std::string::npos);
-  EXPECT_NE(refusal(kHeader + "q,0,nan" + row.substr(5)).find("east_m must be a number from"),
-            std::string::npos);
-  EXPECT_NE(refusal(kHeader + "q,0,1e9" + row.substr(5)).find("east_m must be a number from"),
-            std::string::npos);
-  EXPECT_NE(refusal(kHeader + "q,-1,0" + row.substr(5)).find("t_s must be"), std::string::npos);
-  EXPECT_NE(
-      refusal(kHeader + "q,0,0,0,0,0,0,0,1,1" + row.substr(19)).find("a quaternion of length 1"),
-      std::string::npos);
+  EXPECT_TRUE(says(refusal(""), "expected the header id,t_s"));
+  EXPECT_TRUE(says(refusal(kHeader), "at least one row"));
+  EXPECT_TRUE(says(refusal(kHeader + "q,0,1\n"), "log.csv:2: expected 28 columns, found 3"));
+  EXPECT_TRUE(says(refusal(kHeader + row + row), "log.csv:3: t_s must grow, found 0 after 0"));
+  EXPECT_TRUE(
+      says(refusal(kHeader + row + "p" + row.substr(1) + row), "must stand together; \"q\""));
+  EXPECT_TRUE(says(refusal(kHeader + "q,0,nan" + row.substr(5)), "east_m must be a number from"));
+  EXPECT_TRUE(says(refusal(kHeader + "q,0,1e9" + row.substr(5)), "east_m must be a number from"));
+  EXPECT_TRUE(says(refusal(kHeader + "q,-1,0" + row.substr(5)), "t_s must be"));
+  EXPECT_TRUE(
+      says(refusal(kHeader + "q,0,0,0,0,0,0,0,1,1" + row.substr(19)), "a quaternion of length 1"));
   std::string saturated = row;
   saturated[saturated.size() - 3] = '2';
-  EXPECT_NE(refusal(kHeader + saturated).find("saturated must be a number from 0 to 1"),
-            std::string::npos);
+  EXPECT_TRUE(says(refusal(kHeader + saturated), "saturated must be a number from 0 to 1"));
 }
 
 TEST(FlightLog, RefusesIdsThatWouldNotComeBack) {
@@ -160,22 +154,18 @@ TEST(FlightLog, HasBatteryAndEndWhereTheyAreKnown) {
   EXPECT_EQ(back[0].samples[0].battery, 0.75);
   EXPECT_TRUE(std::isnan(back[0].samples[1].battery));
   EXPECT_EQ(text_of(back), text);
-  EXPECT_NE(
-      refusal(text + "q,2,0,0,0,,,,,,,,,,,,,,,,,,,,,,,,,\n").find("the flight ended in the row"),
-      std::string::npos);
-  EXPECT_NE(refusal(text.substr(0, text.size() - 2) + "x\n").find("end must be cut or empty"),
-            std::string::npos);
+  EXPECT_TRUE(
+      says(refusal(text + "q,2,0,0,0,,,,,,,,,,,,,,,,,,,,,,,,,\n"), "the flight ended in the row"));
+  EXPECT_TRUE(says(refusal(text.substr(0, text.size() - 2) + "x\n"), "end must be cut or empty"));
 }
 
 TEST(FlightLog, RefusesAPartOfAVector) {
-  EXPECT_NE(
-      refusal(kHeader + "q,0,1,2,3,,5,,,,,,,,,,,,,,,,,,,,,\n").find("v_east_mps must be a number"),
-      std::string::npos);
-  EXPECT_NE(refusal(kHeader + "q,0,1,2,,,,,,,,,,,,,,,,,,,,,,,,\n").find("up_m must be a number"),
-            std::string::npos);
-  EXPECT_NE(refusal(kHeader + "q,0,1,2,3,,,,,,,,,,,,,,,,,,0.5,0.5,0.5,,,\n")
-                .find("motor4 must be a number"),
-            std::string::npos);
+  EXPECT_TRUE(says(refusal(kHeader + "q,0,1,2,3,,5,,,,,,,,,,,,,,,,,,,,,\n"),
+                   "v_east_mps must be a number"));
+  EXPECT_TRUE(
+      says(refusal(kHeader + "q,0,1,2,,,,,,,,,,,,,,,,,,,,,,,,\n"), "up_m must be a number"));
+  EXPECT_TRUE(says(refusal(kHeader + "q,0,1,2,3,,,,,,,,,,,,,,,,,,0.5,0.5,0.5,,,\n"),
+                   "motor4 must be a number"));
 }
 
 }  // namespace

@@ -11,14 +11,7 @@ namespace traj {
 namespace {
 
 // 10 m to the east in 10 s, at even speed.
-Trajectory straight() {
-  Segment segment;
-  segment.duration = 10;
-  for (std::size_t i = 0; i < segment.point.size(); ++i) {
-    segment.point[i] = Vec3(10.0 * static_cast<double>(i) / 7, 0, 5);
-  }
-  return {{segment}};
-}
+Trajectory straight() { return testing::straight({0, 0, 5}, {10, 0, 5}); }
 
 TEST(FlownTube, MeasuresFromTheNearestPlace) {
   const std::vector<Vec3> points{{0, 0, 5}, {5, 0.3, 5}, {12, 0, 5}, {5, 0, 6}};

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace traj {
 namespace {
@@ -32,10 +32,10 @@ TEST(ContingencyRecord, ReadsWhatItWrites) {
   ContingencyRecord none = way();
   none.latest_departure.reset();
   const std::string null = to_json_line(none);
-  EXPECT_NE(null.find(R"("latest_departure":null)"), std::string::npos);
+  EXPECT_TRUE(support::says(null, R"("latest_departure":null)"));
   EXPECT_EQ(to_json_line(parse_contingency_record(null, "h", 1)), null);
   none.bounds_energy = false;
-  EXPECT_EQ(to_json_line(none).find("latest_departure"), std::string::npos);
+  EXPECT_FALSE(support::says(to_json_line(none), "latest_departure"));
 }
 
 TEST(ContingencyRecord, ThatIsAGapHasNoWay) {
@@ -77,14 +77,12 @@ TEST(ContingencyRecord, RefusesWhatCannotBe) {
   };
   const std::string points = R"(,"site":"s","points":[[0,0,1],[0,0,0]])";
   EXPECT_TRUE(refused(R"("from":0)" + points).starts_with("h:3: "));
-  EXPECT_NE(refused(R"("from":2,"until":1)" + points).find("until must be >= 2"),
-            std::string::npos);
-  EXPECT_NE(refused(R"("from":-1,"until":1)" + points).find("from"), std::string::npos);
-  EXPECT_NE(refused(R"("from":0,"until":1e10)" + points).find("until"), std::string::npos);
-  EXPECT_NE(refused(R"("from":0,"until":1,"site":"s","points":[[0,0,1]])").find("at least two"),
-            std::string::npos);
-  EXPECT_NE(refused(R"("from":0,"until":1,"points":[[0,0,1],[0,0,0]])").find("site"),
-            std::string::npos);
+  EXPECT_TRUE(support::says(refused(R"("from":2,"until":1)" + points), "until must be >= 2"));
+  EXPECT_TRUE(support::says(refused(R"("from":-1,"until":1)" + points), "from"));
+  EXPECT_TRUE(support::says(refused(R"("from":0,"until":1e10)" + points), "until"));
+  EXPECT_TRUE(support::says(refused(R"("from":0,"until":1,"site":"s","points":[[0,0,1]])"),
+                            "at least two"));
+  EXPECT_TRUE(support::says(refused(R"("from":0,"until":1,"points":[[0,0,1],[0,0,0]])"), "site"));
   EXPECT_NE(refused(R"("from":0,"until":1,"latest_departure":2)" + points), "");
   EXPECT_NE(refused(R"("from":0,"until":1,"length":-2)" + points), "");
   EXPECT_NE(refused(R"("from":0,"until":1,"status":"maybe")" + points), "");

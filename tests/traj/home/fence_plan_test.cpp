@@ -21,11 +21,8 @@ using Q = CGAL::Gmpq;
 const geom::GeodeticOrigin kOrigin{47.4, 8.5, 400};
 
 geom::CollisionScene scene_of(std::vector<Aabb> boxes, geom::Axes axes = geom::Axes::enu) {
-  geom::BoxMapSpec spec;
-  spec.bounds = {{-3000, -3000, 0}, {3000, 3000, 200}};
-  spec.bounds_from = "source";
-  spec.frame.axes = axes;
-  return {geom::BoxMap(spec, support::table_of(std::move(boxes))),
+  const geom::Aabb bounds{{-3000, -3000, 0}, {3000, 3000, 200}};
+  return {{{.frame = {axes}, .bounds = bounds}, support::table_of(std::move(boxes))},
           {"box", Vec3(0.5, 0.5, 0.25), {}},
           0.5};
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geom/record/record.h"
-#include "support/random_city.h"
+#include "support/small_map.h"
 #include "traj/home/home_flight.h"
 #include "traj/home/landing_site.h"
 #include "traj/home/return_model.h"
@@ -34,10 +34,7 @@ inline geom::CollisionScene small_vehicle(geom::BoxMap map, double margin = 0.2)
 
 // 100 m of level ground with these blocks, up to 60 m.
 inline geom::BoxMap town(std::vector<geom::Aabb> blocks) {
-  geom::BoxMapSpec spec;
-  spec.bounds = {{0, 0, 0}, {100, 100, 60}};
-  spec.bounds_from = "option";
-  return geom::BoxMap(spec, support::table_of(std::move(blocks)));
+  return support::map_of({{0, 0, 0}, {100, 100, 60}}, std::move(blocks));
 }
 
 inline DrawnSite drawn_at(double x, double y, std::optional<double> ground = {}) {

@@ -1,19 +1,18 @@
 #include <gtest/gtest.h>
 
-#include <sstream>
-
-#include "support/refusal.h"
+#include "support/reading.h"
 #include "traj/home/landing_site.h"
 
 namespace traj {
 namespace {
 
+using support::says;
+
 const geom::Frame kOnEarth{geom::Axes::enu, geom::GeodeticOrigin{48.2, 16.4, 150}, ""};
 
 std::vector<DrawnSite> read(const std::string& json, bool local = false,
                             const geom::Frame& frame = kOnEarth) {
-  std::istringstream in(json);
-  return read_sites(in, "sites.geojson", frame, {local});
+  return read_sites(support::Text(json), "sites.geojson", frame, {local});
 }
 
 std::string point(const std::string& coordinates, const std::string& properties = "{}") {
@@ -50,31 +49,26 @@ TEST(ReadSites, PlacesDegreesAndHeightsAsTheOriginCountsThem) {
   const auto sites = read(point("[16.4,48.2,160]"));
   EXPECT_LT(sites[0].outline.outer.front().norm(), 1e-6);
   EXPECT_EQ(sites[0].ground, 10);
-  EXPECT_NE(support::refusal_of([&] { read(point("[1,2]"), false, {}); }).find("--home-local"),
-            std::string::npos);
-  EXPECT_NE(refused(point("[48.2,16.4]"), false).find("longitude, latitude"), std::string::npos);
+  EXPECT_TRUE(says(support::refusal_of([&] { read(point("[1,2]"), false, {}); }), "--home-local"));
+  EXPECT_TRUE(says(refused(point("[48.2,16.4]"), false), "longitude, latitude"));
 }
 
 TEST(ReadSites, RefusesWhatIsNoSite) {
   EXPECT_NE(refused("[]"), "");
-  EXPECT_NE(refused(collection("")).find("at least one landing site"), std::string::npos);
-  EXPECT_NE(refused(point("[1]")).find("feature 1: a position"), std::string::npos);
+  EXPECT_TRUE(says(refused(collection("")), "at least one landing site"));
+  EXPECT_TRUE(says(refused(point("[1]")), "feature 1: a position"));
   EXPECT_NE(refused(point("[1,\"2\"]")), "");
-  EXPECT_NE(refused(point("[1,2]", R"({"ground":"low"})")).find("ground"), std::string::npos);
-  EXPECT_NE(refused(point("[1,2,3]", R"({"ground":5})")).find("ground"), std::string::npos);
-  EXPECT_NE(
-      refused(collection(point("[1,2]", R"({"id":"a"})") + "," + point("[3,4]", R"({"id":"a"})")))
-          .find("feature 2"),
-      std::string::npos);
-  EXPECT_NE(refused(R"({"type":"LineString","coordinates":[[0,0],[1,1]]})").find("Polygon"),
-            std::string::npos);
-  EXPECT_NE(refused(R"({"type":"Polygon","coordinates":[[[0,0],[1,1]]]})").find("4 positions"),
-            std::string::npos);
-  EXPECT_NE(refused(R"({"type":"Point","coordinates":[1,2],)"
-                    R"("crs":{"properties":{"name":"EPSG:25833"}}})",
-                    false)
-                .find("crs"),
-            std::string::npos);
+  EXPECT_TRUE(says(refused(point("[1,2]", R"({"ground":"low"})")), "ground"));
+  EXPECT_TRUE(says(refused(point("[1,2,3]", R"({"ground":5})")), "ground"));
+  EXPECT_TRUE(says(
+      refused(collection(point("[1,2]", R"({"id":"a"})") + "," + point("[3,4]", R"({"id":"a"})"))),
+      "feature 2"));
+  EXPECT_TRUE(says(refused(R"({"type":"LineString","coordinates":[[0,0],[1,1]]})"), "Polygon"));
+  EXPECT_TRUE(says(refused(R"({"type":"Polygon","coordinates":[[[0,0],[1,1]]]})"), "4 positions"));
+  EXPECT_TRUE(says(refused(R"({"type":"Point","coordinates":[1,2],)"
+                           R"("crs":{"properties":{"name":"EPSG:25833"}}})",
+                           false),
+                   "crs"));
 }
 
 }  // namespace

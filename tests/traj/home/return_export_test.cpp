@@ -2,12 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 #include "geom/base/usage_error.h"
 #include "geom/record/record.h"
 #include "geom/record/volume4d.h"
-#include "support/random_city.h"
+#include "support/reading.h"
+#include "support/small_map.h"
 #include "traj/mission/firmware/autopilot_settings.h"
 #include "traj/mission/formats/fence_file.h"
 #include "traj/mission/formats/qgc_plan.h"
@@ -19,13 +18,12 @@ namespace traj {
 namespace {
 
 using geom::Aabb;
+using support::says;
+using support::Text;
 
 // A field of 600 m with boxes on it, for a vehicle of a metre with a margin of 0.6 m.
 geom::CollisionScene field(std::vector<Aabb> boxes = {}) {
-  geom::BoxMapSpec spec;
-  spec.bounds = {{-300, -300, 0}, {300, 300, 150}};
-  spec.bounds_from = "option";
-  return {geom::BoxMap(spec, support::table_of(std::move(boxes))),
+  return {support::map_of({{-300, -300, 0}, {300, 300, 150}}, std::move(boxes)),
           {"cube", Vec3(0.5, 0.5, 0.3), {}},
           0.6};
 }
@@ -82,8 +80,7 @@ TEST(ExportWithReturn, CompilesFencesIntoAPlan) {
   const auto scene = field(kTowers);
   const MissionExport made = export_with_return(scene, around(), kQgcPlan, options(), wishes);
   ASSERT_TRUE(made.written) << made.refusal;
-  std::istringstream in(made.written->text);
-  const auto fences = read_qgc_fences(in, "f");
+  const auto fences = read_qgc_fences(Text(made.written->text), "f");
   ASSERT_FALSE(fences.empty());
   EXPECT_TRUE(fences.front().inclusion);
   FlownMission mission = read_back(*made.written, kQgcPlan, options().flier);
@@ -99,12 +96,10 @@ TEST(ExportWithReturn, WritesFencesAndRallyPointsOfWplBesideTheMission) {
   wishes.rally = {{100, -30, 10}};
   const MissionExport made = export_with_return(field(kTowers), around(), kWpl, options(), wishes);
   ASSERT_TRUE(made.written) << made.refusal;
-  EXPECT_EQ(made.written->text.find("5001"), std::string::npos);
+  EXPECT_FALSE(says(made.written->text, "5001"));
   EXPECT_TRUE(is_fence_text(made.written->fences)) << made.written->fences;
-  std::istringstream fences(made.written->fences);
-  EXPECT_FALSE(read_fences(fences, "f").empty());
-  std::istringstream rally(made.written->rally);
-  const auto places = read_wpl_rally(rally, "f");
+  EXPECT_FALSE(read_fences(Text(made.written->fences), "f").empty());
+  const auto places = read_wpl_rally(Text(made.written->rally), "f");
   ASSERT_EQ(places.size(), 1u);
   EXPECT_EQ(places.front().height, 10);
 }
@@ -128,18 +123,16 @@ TEST(ExportWithReturn, RefusesRallyPointsWhereNobodyCanLand) {
     return refusal_of(wishes, field(std::move(boxes)));
   };
   EXPECT_EQ(with({50, 30, 50}), "rally point 2 is inside of obstacle 1");
-  EXPECT_NE(with({0, 0, 149.9}).find("above the map's ceiling"), std::string::npos);
+  EXPECT_TRUE(says(with({0, 0, 149.9}), "above the map's ceiling"));
   EXPECT_EQ(with({310, 0, 20}), "rally point 2 is outside of the map's bounds");
-  EXPECT_NE(with({-50, 40, 40}).find("no level ground as high as home's"), std::string::npos)
-      << "on a roof";
-  EXPECT_NE(with({39.3, 30, 110}).find("no level ground"), std::string::npos) << "half on a roof";
+  EXPECT_TRUE(says(with({-50, 40, 40}), "no level ground as high as home's")) << "on a roof";
+  EXPECT_TRUE(says(with({39.3, 30, 110}), "no level ground")) << "half on a roof";
   EXPECT_EQ(with({30, -30, 20}), "");
 }
 
 TEST(ExportWithReturn, RefusesRallyPointsOutsideOfAFence) {
   ReturnWishes wishes = at(60);
-  std::istringstream file("QGC WPL 110\n0\t1\t3\t5003\t140\t0\t0\t0\t47\t8\t0\t1\n");
-  wishes.fences = read_fences(file, "f");
+  wishes.fences = read_fences(Text("QGC WPL 110\n0\t1\t3\t5003\t140\t0\t0\t0\t47\t8\t0\t1\n"), "f");
   wishes.rally = {{50, -30, 10}};
   EXPECT_EQ(refusal_of(wishes), "");
   wishes.rally = {{150, -30, 10}};
@@ -148,30 +141,27 @@ TEST(ExportWithReturn, RefusesRallyPointsOutsideOfAFence) {
 
 TEST(ExportWithReturn, RefusesAReturnAboveTheCeiling) {
   EXPECT_EQ(refusal_of(at(140)), "");
-  EXPECT_NE(refusal_of(at(149.5)).find("above the map's ceiling at 150"), std::string::npos);
+  EXPECT_TRUE(says(refusal_of(at(149.5)), "above the map's ceiling at 150"));
 }
 
 TEST(ExportWithReturn, RefusesAMissionThatLeavesAFence) {
   ReturnWishes wishes = at(60);
-  std::istringstream file("QGC WPL 110\n0\t1\t3\t5003\t90\t0\t0\t0\t47\t8\t0\t1\n");
-  wishes.fences = read_fences(file, "f");
-  EXPECT_NE(refusal_of(wishes).find("fence"), std::string::npos);
+  wishes.fences = read_fences(Text("QGC WPL 110\n0\t1\t3\t5003\t90\t0\t0\t0\t47\t8\t0\t1\n"), "f");
+  EXPECT_TRUE(says(refusal_of(wishes), "fence"));
 }
 
 TEST(ExportWithReturn, KeepsTheBudgetOfCorners) {
   ReturnWishes wishes = at(60);
   wishes.compiles_fences = true;
   wishes.budget = 3;
-  EXPECT_NE(refusal_of(wishes, field(kTowers)).find("corners were needed, and 3"),
-            std::string::npos);
+  EXPECT_TRUE(says(refusal_of(wishes, field(kTowers)), "corners were needed, and 3"));
   wishes.compiles_fences = false;
-  std::istringstream file(
-      "QGC WPL 110\n0\t1\t3\t5003\t200\t0\t0\t0\t47\t8\t0\t1\n"
-      "1\t0\t3\t5003\t201\t0\t0\t0\t47\t8\t0\t1\n"
-      "2\t0\t3\t5003\t202\t0\t0\t0\t47\t8\t0\t1\n"
-      "3\t0\t3\t5003\t203\t0\t0\t0\t47\t8\t0\t1\n");
-  wishes.fences = read_fences(file, "f");
-  EXPECT_NE(refusal_of(wishes).find("4 corners, and 3"), std::string::npos);
+  wishes.fences = read_fences(Text("QGC WPL 110\n0\t1\t3\t5003\t200\t0\t0\t0\t47\t8\t0\t1\n"
+                                   "1\t0\t3\t5003\t201\t0\t0\t0\t47\t8\t0\t1\n"
+                                   "2\t0\t3\t5003\t202\t0\t0\t0\t47\t8\t0\t1\n"
+                                   "3\t0\t3\t5003\t203\t0\t0\t0\t47\t8\t0\t1\n"),
+                              "f");
+  EXPECT_TRUE(says(refusal_of(wishes), "4 corners, and 3"));
 }
 
 TEST(ExportWithReturn, SaysFromWhichTimesNoReturnIsProved) {
@@ -193,8 +183,8 @@ TEST(ExportWithReturn, WritesParametersThatReadBack) {
     const ExportOptions asked = options(word);
     const MissionExport made = export_with_return(field(), around(), kQgcPlan, asked, wishes);
     ASSERT_TRUE(made.written) << made.refusal;
-    std::istringstream in(made.written->params);
-    const auto read = set_autopilot(read_autopilot_settings(in, "p"), asked.flier.autopilots, "p");
+    const auto read = set_autopilot(read_autopilot_settings(Text(made.written->params), "p"),
+                                    asked.flier.autopilots, "p");
     EXPECT_GE(read.autopilot.return_height, 47.333) << word;
     EXPECT_LT(read.autopilot.return_height, 47.344) << word;
   }
@@ -227,7 +217,7 @@ TEST(ExportWithReturn, TellsTheProcedureInWords) {
        {"Lost-link procedure of flight q1", "climbs to 60 m above home", "Home: latitude 47.00000",
         "Rally point 1: latitude", "The vehicle stays within", "Times without a proved return",
         "sha256:", "px4:1.17", "What is not proved"}) {
-    EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+    EXPECT_TRUE(says(text, part)) << part << " in\n" << text;
   }
 }
 
@@ -244,10 +234,8 @@ TEST(ExportWithReturn, AddsOffNominalVolumes) {
       export_with_return(field(), flight, kVolume4d, options(), ReturnWishes{});
   const MissionExport made = export_with_return(field(), flight, kVolume4d, options(), wishes);
   ASSERT_TRUE(made.written) << made.refusal;
-  std::istringstream in(made.written->text);
-  const geom::IntentVolumes read = geom::read_intent_volumes(in, "f");
-  std::istringstream before(plain.written->text);
-  EXPECT_EQ(read.nominal.size(), geom::read_volumes_4d(before, "f").size());
+  const geom::IntentVolumes read = geom::read_intent_volumes(Text(made.written->text), "f");
+  EXPECT_EQ(read.nominal.size(), geom::read_volumes_4d(Text(plain.written->text), "f").size());
   ASSERT_FALSE(read.off_nominal.empty());
   EXPECT_LE(read.off_nominal.size(), 4u);
   for (const geom::Volume4d& volume : read.off_nominal) {

@@ -2,16 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <sstream>
-
+#include "support/reading.h"
 #include "traj/mission/firmware/autopilot_settings.h"
 
 namespace traj {
 namespace {
 
 AutopilotSettings read(const std::string& text) {
-  std::istringstream in(text);
-  return read_autopilot_settings(in, "p");
+  return read_autopilot_settings(support::Text(text), "p");
 }
 
 TEST(ReturnParameters, ArePx4sOwn) {

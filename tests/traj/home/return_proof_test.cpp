@@ -6,6 +6,7 @@
 
 #include "geom/base/usage_error.h"
 #include "support/cases.h"
+#include "support/small_map.h"
 #include "support/thin_return.h"
 #include "traj/scenes.h"
 
@@ -44,11 +45,10 @@ ReturnReport prove(const geom::CollisionScene& scene, const Trajectory& trajecto
   return prove_return(scene, stages, task);
 }
 
+const Aabb kBounds{{-200, -200, 0}, {200, 200, 100}};
+
 geom::CollisionScene scene_of(const std::vector<Aabb>& boxes, const Vec3& half, double margin) {
-  geom::BoxMapSpec spec;
-  spec.bounds = {Vec3(-200, -200, 0), Vec3(200, 200, 100)};
-  spec.bounds_from = "option";
-  return {geom::BoxMap(spec, support::table_of(boxes)), geom::Vehicle{"box", half}, margin};
+  return {support::map_of(kBounds, boxes), {"box", half}, margin};
 }
 
 const Trajectory kAcross = line({20, -30, 20}, {20, 30, 20});  // past home, 20 m to the east
@@ -254,16 +254,12 @@ TEST(ProveReturn, HoldingNeedsTheWayToRestAlone) {
 
 TEST(ProveReturn, CountsBoxesThatMayBeThereWhileItReturns) {
   geom::BoxTable table = support::table_of({{{9, -1, 40}, {11, 1, 60}}});
-  geom::BoxMapSpec spec;
-  spec.bounds = {Vec3(-200, -200, 0), Vec3(200, 200, 100)};
-  spec.bounds_from = "option";
-  spec.epoch = "2026-05-04T06:30:00Z";
+  const geom::BoxMapSpec spec{.bounds = kBounds, .epoch = "2026-05-04T06:30:00Z"};
   const auto proved = [&](const geom::TimeSpan& span, std::optional<double> start) {
     table.set_time(0, span);
     ReturnTask task = task_of(thin());
     task.start = start;
-    const geom::CollisionScene scene(geom::BoxMap(spec, table), geom::Vehicle{"box", Vec3::Zero()},
-                                     0);
+    const geom::CollisionScene scene({spec, table}, {"box", Vec3::Zero()}, 0);
     return prove(scene, kAcross, task).ok();
   };
   EXPECT_FALSE(proved({100, 200}, {}));  // at any time

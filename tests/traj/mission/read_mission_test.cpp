@@ -6,7 +6,7 @@
 
 #include "geom/base/error.h"
 #include "support/cases.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 #include "traj/mission/formats/crazyflie.h"
 #include "traj/mission/formats/geo_line.h"
 #include "traj/mission/formats/gltf_line.h"

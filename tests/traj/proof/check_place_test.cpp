@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "support/random_city.h"
+#include "support/small_map.h"
 #include "traj/proof/check.h"
 
 namespace traj {
@@ -20,9 +21,8 @@ CollisionScene posts() {
       if (x * x + y * y > 3600) boxes.push_back({Vec3(x, y, 0), Vec3(x + 1, y + 1, 20)});
     }
   }
-  geom::BoxMapSpec spec;
-  spec.bounds = {{-2000, -2000, 0}, {2000, 2000, 2000}};
-  return {geom::BoxMap(spec, support::table_of(boxes)), {"box", {0.5, 0.5, 0.5}}, 0};
+  return {
+      support::map_of({{-2000, -2000, 0}, {2000, 2000, 2000}}, boxes), {"box", {0.5, 0.5, 0.5}}, 0};
 }
 
 // Away from the middle of the posts and back to it, some hundred metres out to both axes.

@@ -17,20 +17,14 @@ namespace traj {
 namespace {
 
 using geom::CollisionScene;
+using testing::arc;
+using testing::one_box;
+using testing::rest;
 
-geom::BoxMap one_box(const geom::Aabb& box = {{-1, -1, -1}, {1, 1, 1}}) {
-  geom::BoxMapSpec spec;
-  spec.bounds = {{-50, -50, -50}, {50, 50, 50}};
-  return geom::BoxMap(spec, support::table_of({box}));
-}
-
-State rest(const Vec3& p) { return {p, Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}; }
-
-// A curve that bends around, with a state at its middle.
-Trajectory arc(const Vec3& middle, const Vec3& velocity) {
-  const State through{middle, velocity, {0, 0, 1}, Vec3::Zero()};
-  return {{hermite(rest(middle + Vec3(-12, 3, 2)), through, 4),
-           hermite(through, rest(middle + Vec3(13, -2, 5)), 4)}};
+// A cube of 2 m in the middle, and a vehicle of 1 m.
+const CollisionScene& cube() {
+  static const CollisionScene made(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
+  return made;
 }
 
 Trajectory moved(Trajectory t, const Vec3& by) {
@@ -41,9 +35,8 @@ Trajectory moved(Trajectory t, const Vec3& by) {
 }
 
 TEST(Check, AcceptsAClearCurveAndMeasuresItsClearance) {
-  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
   const Trajectory line = {{hermite(rest({-10, 4, 0}), rest({10, 4, 0}), 8)}};
-  const CheckResult result = check(scene, line, Limits{});
+  const CheckResult result = check(cube(), line, Limits{});
   EXPECT_TRUE(result.ok) << name(result.reason);
   ASSERT_TRUE(result.clearance);
   EXPECT_NEAR(result.clearance->value, 2.5, 1.1e-3);
@@ -51,14 +44,13 @@ TEST(Check, AcceptsAClearCurveAndMeasuresItsClearance) {
 }
 
 TEST(Check, SaysNoYesToWhatIsNotANumber) {
-  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
   const Trajectory line = {{hermite(rest({-10, 4, 0}), rest({10, 4, 0}), 8)}};
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const LimitKind& kind : kLimitKinds) {
     for (const double wrong : {nan, -nan, -1.0}) {
       Limits limits;
       limits[kind.limit] = wrong;
-      EXPECT_EQ(check(scene, line, limits).reason, Reason::limits) << kind.name;
+      EXPECT_EQ(check(cube(), line, limits).reason, Reason::limits) << kind.name;
     }
   }
   for (double CheckOptions::*member :
@@ -67,7 +59,7 @@ TEST(Check, SaysNoYesToWhatIsNotANumber) {
         &CheckOptions::step_share}) {
     CheckOptions options;
     options.*member = nan;
-    EXPECT_THROW(check(scene, line, options), geom::InputError);
+    EXPECT_THROW(check(cube(), line, options), geom::InputError);
   }
   const double wrongs[] = {nan, INFINITY, -INFINITY, 1e10, 1e155, 1e300, -1.7e308};
   for (const double wrong : wrongs) {
@@ -75,23 +67,22 @@ TEST(Check, SaysNoYesToWhatIsNotANumber) {
       Trajectory t = line;
       t.segments.push_back(t.segments[0]);
       t.segments[1].point[static_cast<std::size_t>(i)].z() = wrong;
-      EXPECT_FALSE(check(scene, t, Limits{}).ok) << wrong;
+      EXPECT_FALSE(check(cube(), t, Limits{}).ok) << wrong;
     }
     const Vec3 path[] = {{-10, 4, 0}, {10, 4, wrong}};
-    EXPECT_EQ(check_path(scene, path).reason, Reason::coordinates) << wrong;
-    EXPECT_EQ(check_path(scene, std::span(path).last(1)).reason, Reason::coordinates) << wrong;
+    EXPECT_EQ(check_path(cube(), path).reason, Reason::coordinates) << wrong;
+    EXPECT_EQ(check_path(cube(), std::span(path).last(1)).reason, Reason::coordinates) << wrong;
   }
   for (const double duration : {nan, 0.0, -1.0, std::numeric_limits<double>::infinity()}) {
     Trajectory t = line;
     t.segments[0].duration = duration;
-    EXPECT_FALSE(check(scene, t, Limits{}).ok) << duration;
+    EXPECT_FALSE(check(cube(), t, Limits{}).ok) << duration;
   }
 }
 
 TEST(Check, NamesPlaceTimeAndBoxOfTheWorstCollision) {
-  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
   const CheckResult result =
-      check(scene, {{hermite(rest({-10, 0, 0}), rest({10, 0, 0}), 8)}}, Limits{});
+      check(cube(), {{hermite(rest({-10, 0, 0}), rest({10, 0, 0}), 8)}}, Limits{});
   EXPECT_EQ(result.reason, Reason::collision);
   EXPECT_NEAR(result.worst, 1.5, 1e-3);
   EXPECT_NEAR(result.time, 4, 0.05);
@@ -100,12 +91,11 @@ TEST(Check, NamesPlaceTimeAndBoxOfTheWorstCollision) {
 
 // A file's digits let segments miss each other by a little.
 TEST(Check, NamesTheWorstCollisionWhereSegmentsMissEachOtherInIt) {
-  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
   const Trajectory t{{hermite(rest({-10, 0, 0}), rest({-1, 0, 0}), 8),
                       hermite(rest({-0.9999, 0, 0}), rest({10, 0, 0}), 8)}};
   CheckOptions options;
   options.position_gap = 1e-3;
-  const CheckResult result = check(scene, t, options);
+  const CheckResult result = check(cube(), t, options);
   EXPECT_EQ(result.reason, Reason::collision);
   EXPECT_NEAR(result.worst, 1.5, 1e-3);
   EXPECT_EQ(result.box, 0u);
@@ -124,23 +114,21 @@ TEST(Check, SeesAWallThatIsThinnerThanAGap) {
 }
 
 TEST(Check, SeesGapsJumpsBoundsAndDurations) {
-  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
   Trajectory t = arc({0, 20, 0}, {3, 0, 0});
-  EXPECT_TRUE(check(scene, t, Limits{}).ok);
+  EXPECT_TRUE(check(cube(), t, Limits{}).ok);
   Trajectory gap = t;
   for (Vec3& p : gap.segments[1].point) p.x() += 1e-6;
-  EXPECT_EQ(check(scene, gap, Limits{}).reason, Reason::discontinuous);
+  EXPECT_EQ(check(cube(), gap, Limits{}).reason, Reason::discontinuous);
   Trajectory jump = t;
   jump.segments[1].duration = 3;
-  EXPECT_EQ(check(scene, jump, Limits{}).reason, Reason::discontinuous);
-  EXPECT_EQ(check(scene, moved(t, {0, 28, 0}), Limits{}).reason, Reason::bounds);
+  EXPECT_EQ(check(cube(), jump, Limits{}).reason, Reason::discontinuous);
+  EXPECT_EQ(check(cube(), moved(t, {0, 28, 0}), Limits{}).reason, Reason::bounds);
   t.segments[0].duration = 0;
-  EXPECT_EQ(check(scene, t, Limits{}).reason, Reason::duration);
-  EXPECT_EQ(check(scene, Trajectory{}, Limits{}).reason, Reason::duration);
+  EXPECT_EQ(check(cube(), t, Limits{}).reason, Reason::duration);
+  EXPECT_EQ(check(cube(), Trajectory{}, Limits{}).reason, Reason::duration);
 }
 
 TEST(Check, SeesAStepOfVelocityAccelerationYawOrYawRateAlone) {
-  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
   const State through{{0, 20, 0}, {3, 0, 0}, {0, 0, 1}, Vec3::Zero()};
   const auto reason_of = [&](const State& after, double yaw = 1, double yaw_rate = 0) {
     Trajectory t{{hermite(rest({-12, 23, 2}), through, 4), hermite(after, rest({13, 18, 5}), 4)}};
@@ -149,7 +137,7 @@ TEST(Check, SeesAStepOfVelocityAccelerationYawOrYawRateAlone) {
     for (int i = 0; i <= kDegree; ++i) {
       angles[static_cast<std::size_t>(i)] = yaw + yaw_rate * 4 * i / kDegree;
     }
-    return check(scene, t, Limits{}).reason;
+    return check(cube(), t, Limits{}).reason;
   };
   EXPECT_EQ(reason_of(through), Reason::none);
   State faster = through;
@@ -163,10 +151,9 @@ TEST(Check, SeesAStepOfVelocityAccelerationYawOrYawRateAlone) {
 }
 
 TEST(Check, HoldsEachLimitApart) {
-  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
   const Trajectory t = arc({0, 20, 0}, {6, 0, 0});
-  const CheckResult free = check(scene, t, Limits{});
-  const auto with = [&](Limits limits) { return check(scene, t, limits).reason; };
+  const CheckResult free = check(cube(), t, Limits{});
+  const auto with = [&](Limits limits) { return check(cube(), t, limits).reason; };
   EXPECT_EQ(with({{Limit::speed, free.largest[Limit::speed]->value * 1.001}}), Reason::none);
   EXPECT_EQ(with({{Limit::speed, free.largest[Limit::speed]->value * 0.999}}),
             broken(Limit::speed));
@@ -179,16 +166,18 @@ TEST(Check, HoldsEachLimitApart) {
   EXPECT_EQ(with({{Limit::horizontal_speed, free.largest[Limit::speed]->value * 1.001}}),
             Reason::none);
   const Trajectory climb = arc({0, 20, 0}, {0, 0, 6});
-  const CheckResult up = check(scene, climb, {{Limit::vertical_speed, 100}, {Limit::thrust, 100}});
+  const CheckResult up = check(cube(), climb, {{Limit::vertical_speed, 100}, {Limit::thrust, 100}});
   EXPECT_GT(up.largest[Limit::vertical_speed]->value, 0.1);
-  EXPECT_EQ(check(scene, climb,
+  EXPECT_EQ(check(cube(), climb,
                   {{Limit::vertical_speed, up.largest[Limit::vertical_speed]->value * 0.999}})
                 .reason,
             broken(Limit::vertical_speed));
-  EXPECT_EQ(check(scene, climb, {{Limit::thrust, up.largest[Limit::thrust]->value * 0.999}}).reason,
-            broken(Limit::thrust));
-  EXPECT_EQ(check(scene, climb, {{Limit::thrust, up.largest[Limit::thrust]->value * 1.001}}).reason,
-            Reason::none);
+  EXPECT_EQ(
+      check(cube(), climb, {{Limit::thrust, up.largest[Limit::thrust]->value * 0.999}}).reason,
+      broken(Limit::thrust));
+  EXPECT_EQ(
+      check(cube(), climb, {{Limit::thrust, up.largest[Limit::thrust]->value * 1.001}}).reason,
+      Reason::none);
   EXPECT_EQ(with({{Limit::body_rate, free.largest[Limit::body_rate]->value * 0.999}}),
             broken(Limit::body_rate));
   EXPECT_EQ(with({{Limit::body_rate, free.largest[Limit::body_rate]->value * 1.001}}),
@@ -196,33 +185,31 @@ TEST(Check, HoldsEachLimitApart) {
   Trajectory turning = t;
   turning.segments[0].yaw = {0, 0, 0, 0, 1, 1, 1, 1};
   turning.segments[1].yaw = {1, 1, 1, 1, 0, 0, 0, 0};
-  EXPECT_NEAR(check(scene, turning, {{Limit::yaw_rate, 0.55}}).largest[Limit::yaw_rate]->value,
+  EXPECT_NEAR(check(cube(), turning, {{Limit::yaw_rate, 0.55}}).largest[Limit::yaw_rate]->value,
               35.0 / 16 / 4, 1e-4);
-  EXPECT_EQ(check(scene, turning, {{Limit::yaw_rate, 0.55}}).reason, Reason::none);
-  EXPECT_EQ(check(scene, turning, {{Limit::yaw_rate, 0.54}}).reason, broken(Limit::yaw_rate));
+  EXPECT_EQ(check(cube(), turning, {{Limit::yaw_rate, 0.55}}).reason, Reason::none);
+  EXPECT_EQ(check(cube(), turning, {{Limit::yaw_rate, 0.54}}).reason, broken(Limit::yaw_rate));
   turning.segments[1].yaw->front() = 1.1;
-  EXPECT_EQ(check(scene, turning, Limits{}).reason, Reason::discontinuous);
+  EXPECT_EQ(check(cube(), turning, Limits{}).reason, Reason::discontinuous);
 }
 
 // However short it is, the yaw may jump there.
 TEST(Check, AsksForYawInAllSegmentsWhereItsRateIsLimited) {
-  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
   Trajectory t = arc({0, 20, 0}, {6, 0, 0});
   const Limits limits{{Limit::yaw_rate, 100}};
-  EXPECT_EQ(check(scene, t, limits).reason, Reason::none) << "no yaw at all";
+  EXPECT_EQ(check(cube(), t, limits).reason, Reason::none) << "no yaw at all";
   t.segments[0].yaw = {0, 0, 0, 0, 0, 0, 0, 0};
-  EXPECT_EQ(check(scene, t, Limits{}).reason, Reason::none);
-  const CheckResult result = check(scene, t, limits);
+  EXPECT_EQ(check(cube(), t, Limits{}).reason, Reason::none);
+  const CheckResult result = check(cube(), t, limits);
   EXPECT_EQ(result.reason, unmeasured(Limit::yaw_rate));
   EXPECT_EQ(result.time, 4);
   EXPECT_EQ(result.place, t.segments[1].point.front());
   t.segments[1].yaw = t.segments[0].yaw;
-  EXPECT_EQ(check(scene, t, limits).reason, Reason::none);
+  EXPECT_EQ(check(cube(), t, limits).reason, Reason::none);
 }
 
 // Segments of constant acceleration, each 9e-5 m/s2 more than the one before: 0.09 m/s3.
 TEST(Check, TakesNoStepsThatAddUpToMoreThanALimit) {
-  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
   constexpr double kTime = 1e-3;
   State from{{0, 4, 0}, Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   Trajectory t;
@@ -234,12 +221,12 @@ TEST(Check, TakesNoStepsThatAddUpToMoreThanALimit) {
     t.segments.push_back(hermite(from, to, kTime));
     from = to;
   }
-  EXPECT_EQ(check(scene, t, {{Limit::jerk, 0.02}}).reason, Reason::discontinuous);
-  EXPECT_EQ(check(scene, t, {{Limit::body_rate, 0.002}}).reason, Reason::discontinuous);
-  EXPECT_EQ(check(scene, t, {{Limit::jerk, 100}, {Limit::body_rate, 10}}).reason, Reason::none);
-  EXPECT_EQ(check(scene, t, Limits{}).reason, Reason::none);
+  EXPECT_EQ(check(cube(), t, {{Limit::jerk, 0.02}}).reason, Reason::discontinuous);
+  EXPECT_EQ(check(cube(), t, {{Limit::body_rate, 0.002}}).reason, Reason::discontinuous);
+  EXPECT_EQ(check(cube(), t, {{Limit::jerk, 100}, {Limit::body_rate, 10}}).reason, Reason::none);
+  EXPECT_EQ(check(cube(), t, Limits{}).reason, Reason::none);
   const auto exactly = [&](const Limits& limits) {
-    return check_exactly({scene.map(), scene.vehicle(), scene.margin(), limits}, t).reason;
+    return check_exactly({cube().map(), cube().vehicle(), cube().margin(), limits}, t).reason;
   };
   EXPECT_EQ(exactly({{Limit::jerk, 0.02}}), Reason::discontinuous);
   EXPECT_EQ(exactly({{Limit::body_rate, 0.002}}), Reason::discontinuous);
@@ -248,10 +235,9 @@ TEST(Check, TakesNoStepsThatAddUpToMoreThanALimit) {
 
 // Each extreme against the largest of many instants, which it is never below.
 TEST(Check, MeasuresTheLargestThrustTiltAndBodyRate) {
-  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
   for (unsigned seed = 0; seed < 30; ++seed) {
     const Trajectory t = testing::random_trajectory(seed);
-    const CheckResult result = check(scene, t, Limits{});
+    const CheckResult result = check(cube(), t, Limits{});
     double thrust = 0;
     double tilt = 0;
     double rate = 0;
@@ -274,24 +260,22 @@ TEST(Check, MeasuresTheLargestThrustTiltAndBodyRate) {
 // Without thrust it may turn at any rate, all the way: neither refused where nothing is asked, nor
 // looked at for ever.
 TEST(Check, FreeFallBreaksOnlyALimitOfBodyRate) {
-  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
   for (const double across : {0.0, 0.5, 1e-9}) {
     Segment fall{2, {}, std::nullopt};
     for (int k = 0; k < kPoints; ++k) {  // -g t^2 / 2
       fall.point[static_cast<std::size_t>(k)] = {10 + across * k, 0,
                                                  -2 * kGravity * k * (k - 1) / 42.0};
     }
-    EXPECT_TRUE(check(scene, {{fall}}, Limits{}).ok) << across;
-    EXPECT_EQ(check(scene, {{fall}}, {{Limit::body_rate, 5}}).reason, broken(Limit::body_rate))
+    EXPECT_TRUE(check(cube(), {{fall}}, Limits{}).ok) << across;
+    EXPECT_EQ(check(cube(), {{fall}}, {{Limit::body_rate, 5}}).reason, broken(Limit::body_rate))
         << across;
   }
 }
 
 TEST(Check, AStraightSegmentOneNanometreClearIsDecidedExactly) {
-  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
-  const double face = scene.grown(0).max.y();
+  const double face = cube().grown(0).max.y();
   const auto along = [&](double y) {
-    return check(scene,
+    return check(cube(),
                  stop_and_go(std::vector<Vec3>{{-10, y, 0}, {10, y, 0}},
                              {{Limit::speed, 5}, {Limit::acceleration, 5}}),
                  Limits{})
@@ -302,12 +286,11 @@ TEST(Check, AStraightSegmentOneNanometreClearIsDecidedExactly) {
 }
 
 TEST(CheckPath, IsExactOnEveryLeg) {
-  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
   const std::vector<Vec3> around = {{-10, 0, 0}, {0, 5, 0}, {10, 0, 0}};
-  EXPECT_TRUE(check_path(scene, around).ok);
+  EXPECT_TRUE(check_path(cube(), around).ok);
   const std::vector<Vec3> through = {{-10, 0, 0}, {10, 0, 0}};
-  EXPECT_EQ(check_path(scene, through).reason, Reason::collision);
-  EXPECT_EQ(check_path(scene, {}).reason, Reason::no_path);
+  EXPECT_EQ(check_path(cube(), through).reason, Reason::collision);
+  EXPECT_EQ(check_path(cube(), {}).reason, Reason::no_path);
 }
 
 // By a look at every box.
@@ -371,15 +354,14 @@ TEST(Check, MeasuresTheClearanceOfCurvesToOneMillimetre) {
 }
 
 TEST(Check, LeavesTheClearanceOutWhereItIsNotAskedFor) {
-  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
   const Trajectory line = {{hermite(rest({-10, 4, 0}), rest({10, 4, 0}), 8)}};
   CheckOptions options;
   options.clearance = Clearance::left_out;
-  EXPECT_TRUE(check(scene, line, options).ok);
-  EXPECT_FALSE(check(scene, line, options).clearance);
+  EXPECT_TRUE(check(cube(), line, options).ok);
+  EXPECT_FALSE(check(cube(), line, options).clearance);
   const std::vector<Vec3> path = {{-10, 4, 0}, {10, 4, 0}};
-  EXPECT_TRUE(check_path(scene, path).clearance);
-  EXPECT_FALSE(check_path(scene, path, {}, Clearance::left_out).clearance);
+  EXPECT_TRUE(check_path(cube(), path).clearance);
+  EXPECT_FALSE(check_path(cube(), path, {}, Clearance::left_out).clearance);
 }
 
 }  // namespace

@@ -5,19 +5,14 @@
 #include <cmath>
 
 #include "support/random_city.h"
+#include "traj/scenes.h"
 
 namespace traj {
 namespace {
 
 using geom::CollisionScene;
-
-geom::BoxMap one_box() {
-  geom::BoxMapSpec spec;
-  spec.bounds = {{-50, -50, -50}, {50, 50, 50}};
-  return geom::BoxMap(spec, support::table_of({{{-1, -1, -1}, {1, 1, 1}}}));
-}
-
-State rest(const Vec3& p) { return {p, Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}; }
+using testing::one_box;
+using testing::rest;
 
 TEST(ClearanceProfile, HasTheLeastOfEachPart) {
   const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);

@@ -8,20 +8,16 @@
 #include "support/random_city.h"
 #include "traj/proof/check.h"
 #include "traj/proof/exact/exact_check.h"
+#include "traj/scenes.h"
 
 namespace traj {
 namespace {
 
 using geom::CollisionScene;
+using testing::one_box;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
-
-geom::BoxMap one_box() {
-  geom::BoxMapSpec spec;
-  spec.bounds = {{-50, -50, -50}, {50, 50, 50}};
-  return geom::BoxMap(spec, support::table_of({{{-1, -1, -1}, {1, 1, 1}}}));
-}
 
 const CollisionScene& scene() {
   static const CollisionScene kScene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0.1);

@@ -86,7 +86,8 @@ TEST(SampledFlight, StandsOnTheGroundBeforeAndAfter) {
   EXPECT_EQ(verdict(check({{0, 0, 5}, {0, 0, -0.1}, {0, 0, 5}}, {0, 1, 2})), "bounds")
       << "in between it touches the ground";
   EXPECT_EQ(verdict(check({{0, 0, 5}, {0, 0, -0.6}}, {0, 1})), "bounds") << "no error of heights";
-  EXPECT_EQ(verdict(check({{10.5, 0, -0.1}, {10.5, 0, 0.3}}, {0, 1})), "collision") << "inside a wall";
+  EXPECT_EQ(verdict(check({{10.5, 0, -0.1}, {10.5, 0, 0.3}}, {0, 1})), "collision")
+      << "inside a wall";
   EXPECT_EQ(verdict(check({{10.5, 0, 20}, {10.5, 0, 20.4}, {10.5, 0, 30}}, {0, 1, 2})), "sampled")
       << "on the wall";
 }

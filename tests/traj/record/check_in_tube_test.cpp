@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/refusal.h"
+#include "support/reading.h"
 #include "traj/flights.h"
 #include "traj/record/verdict.h"
 #include "traj/scenes.h"
@@ -49,7 +49,7 @@ TEST(CheckInTube, CountsTheTiltThatTheTubeStates) {
   EXPECT_FALSE(check_in_tube(quad, "a", flight(), tube(0.285, 0.1), body).check.clear);
   const std::string why =
       support::refusal_of([&] { check_in_tube(quad, "a", flight(), tube(0.2, 0.1), {}); });
-  EXPECT_NE(why.find("found one of 5.73"), std::string::npos) << why;
+  EXPECT_TRUE(support::says(why, "found one of 5.73"));
 }
 
 TEST(CheckInTube, IsPartOfTheVerdict) {
@@ -58,16 +58,16 @@ TEST(CheckInTube, IsPartOfTheVerdict) {
   report.result.duration = 2;
   report.tube = check_in_tube(scene(), "a", flight(), tube(0.5), {});
   EXPECT_TRUE(accepted(report));
-  EXPECT_NE(in_words(report, scene().map()).find("clear with a tube of at most 0.5 m, proved for "),
-            std::string::npos);
+  EXPECT_TRUE(support::says(in_words(report, scene().map()),
+                            "clear with a tube of at most 0.5 m, proved for "));
   report.tube->claim.kind = TubeKind::statistics;
-  EXPECT_EQ(in_words(report, scene().map()).find("proved for"), std::string::npos);
+  EXPECT_FALSE(support::says(in_words(report, scene().map()), "proved for"));
   report.tube = check_in_tube(scene(), "a", flight(), tube(1.5), {});
   EXPECT_FALSE(accepted(report));
   EXPECT_EQ(verdict_word(report), "tube");
   const std::string why = in_words(report, scene().map());
-  EXPECT_NE(why.find("with a tube of at most 1.5 m, proved for"), std::string::npos) << why;
-  EXPECT_NE(why.find("touches"), std::string::npos) << why;
+  EXPECT_TRUE(support::says(why, "with a tube of at most 1.5 m, proved for"));
+  EXPECT_TRUE(support::says(why, "touches"));
   const ReportSummary read = parse_report_record(to_json_line(report, scene().map()), "report", 1);
   EXPECT_FALSE(read.ok);
   EXPECT_EQ(read.reason, "tube");

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "geom/base/error.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace traj {
 namespace {

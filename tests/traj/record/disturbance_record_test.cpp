@@ -4,7 +4,7 @@
 
 #include "geom/text/json_fields.h"
 #include "geom/text/json_line.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace traj {
 namespace {
@@ -45,8 +45,7 @@ TEST(DisturbanceRecord, RefusesRangesThatCannotBe) {
       Disturbances d;
       d.*range.value = value;
       const auto read = [&] { read_disturbances(geom::JsonFields(written(d), "tube", 7)); };
-      EXPECT_NE(support::refusal_of(read).find("tube:7: " + std::string(range.key)),
-                std::string::npos);
+      EXPECT_TRUE(support::says(support::refusal_of(read), "tube:7: " + std::string(range.key)));
     }
   }
   EXPECT_NE(support::refusal_of([] { read_disturbances(geom::JsonFields("{}", "tube", 7)); }), "");

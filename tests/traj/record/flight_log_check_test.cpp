@@ -2,9 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <sstream>
-
-#include "support/refusal.h"
+#include "support/reading.h"
 #include "traj/record/verdict.h"
 #include "traj/scenes.h"
 
@@ -61,7 +59,7 @@ TEST(FlightLogCheck, AcceptsNoLogThatIsShorterThanItsPlan) {
   EXPECT_EQ(reason_of(check.judge(log("a"), scene()), scene().map()), "");
   const SampledReport cut = check.judge(log("b"), scene());
   EXPECT_EQ(reason_of(cut, scene().map()), "cut");
-  EXPECT_NE(in_words(cut, scene().map()).find("shorter than its plan"), std::string::npos);
+  EXPECT_TRUE(support::says(in_words(cut, scene().map()), "shorter than its plan"));
 }
 
 TEST(FlightLogCheck, NamesPlansThatNoLogIsOf) {
@@ -83,23 +81,19 @@ TEST(FlightLogCheck, LeavesOutPlansWithoutATrajectory) {
 TEST(FlightLogCheck, TakesTubesThatAreAsLongAsTheirPlan) {
   FlightLogCheck check;
   check.add_plan(plan("a", 3));
-  std::istringstream whole(tube("a", 3));
-  check.read_tubes(whole, "tubes");
+  check.read_tubes(support::Text(tube("a", 3)), "tubes");
   EXPECT_TRUE(check.judge(log("a"), scene()).tube);
-  std::istringstream shorter(tube("a", 2));
-  EXPECT_THROW(check.read_tubes(shorter, "tubes"), geom::InputError);
-  std::istringstream other(tube("b", 3));
-  EXPECT_THROW(check.read_tubes(other, "tubes"), geom::InputError);
+  EXPECT_THROW(check.read_tubes(support::Text(tube("a", 2)), "tubes"), geom::InputError);
+  EXPECT_THROW(check.read_tubes(support::Text(tube("b", 3)), "tubes"), geom::InputError);
 }
 
 TEST(FlightLogCheck, JudgesByItsRule) {
   const SampledReport strict = FlightLogCheck().judge(log("a"), scene());
   EXPECT_EQ(reason_of(strict, scene().map()), "sampled");
-  EXPECT_NE(in_words(strict, scene().map()).find("--require-clearance"), std::string::npos);
+  EXPECT_TRUE(support::says(in_words(strict, scene().map()), "--require-clearance"));
   const SampledReport lenient = FlightLogCheck({.sampled = true}).judge(log("a"), scene());
   EXPECT_EQ(reason_of(lenient, scene().map()), "");
-  EXPECT_NE(in_words(lenient, scene().map()).find("up to 1 s, was not measured"),
-            std::string::npos);
+  EXPECT_TRUE(support::says(in_words(lenient, scene().map()), "up to 1 s, was not measured"));
 }
 
 }  // namespace

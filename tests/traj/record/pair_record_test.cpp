@@ -5,15 +5,12 @@
 #include <nlohmann/json.hpp>
 
 #include "geom/text/parse_json.h"
+#include "traj/scenes.h"
 
 namespace traj {
 namespace {
 
-Trajectory straight(const Vec3& from, const Vec3& to) {
-  Segment s{8, {}, {}};
-  for (int i = 0; i < kPoints; ++i) s.point[i] = from + (to - from) * (i / 7.0);
-  return {{s}};
-}
+using testing::straight;
 
 struct Two {
   Trajectory a = straight({0, 0, 30}, {80, 0, 30});

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "geom/base/error.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 #include "traj/scenes.h"
 
 namespace traj {

@@ -3,12 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "geom/text/json_fields.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 #include "traj/record/report_record.h"
 #include "traj/scenes.h"
 
 namespace traj {
 namespace {
+
+using support::says;
 
 const geom::CollisionScene& scene() {
   static const auto out = testing::scene_of({{Vec3(10, -5, 0), Vec3(11, 5, 20)}});
@@ -24,8 +26,8 @@ TEST(SampledReport, SaysOkOfNothingWithoutARule) {
                     report({{0, 0, 5}, {1, 0, 5}}, {0, 9})};
   for (const SampledReport& one : all) {
     const std::string line = to_json_line(one, scene().map());
-    EXPECT_NE(line.find("\"ok\":false"), std::string::npos) << line;
-    EXPECT_EQ(line.find("\"ok\":true"), std::string::npos) << line;
+    EXPECT_TRUE(says(line, "\"ok\":false"));
+    EXPECT_FALSE(says(line, "\"ok\":true"));
     EXPECT_FALSE(parse_report_record(line, "report", 1).ok);
   }
 }
@@ -51,10 +53,9 @@ TEST(SampledReport, AcceptsByItsRuleWhatTouchesNothing) {
   SampledReport asked = one;
   asked.rule = {.clearance = 1.5};
   const std::string line = to_json_line(asked, scene().map());
-  EXPECT_NE(line.find("\"ok\":true,\"verdict\":\"clearance\",\"checked\":\"flight log\","
-                      "\"required_clearance\":1.5,"),
-            std::string::npos)
-      << line;
+  EXPECT_TRUE(says(line,
+                   "\"ok\":true,\"verdict\":\"clearance\",\"checked\":\"flight log\","
+                   "\"required_clearance\":1.5,"));
 }
 
 // Whatever is asked: what was touched was touched, and what is not known is not accepted.
@@ -78,14 +79,12 @@ TEST(SampledReport, AsksForMeasuredClearanceOnlyWhereThereAreObstacles) {
 
 TEST(SampledReport, SaysHowCloseItCame) {
   const std::string line = to_json_line(report({{0, 0, 5}, {8, 0, 5}}, {0, 1}), scene().map());
-  EXPECT_NE(line.find("\"reason\":\"sampled\",\"verdict\":\"sampled\",\"checked\":\"flight log\","
-                      "\"clearance\":"),
-            std::string::npos)
-      << line;
-  EXPECT_NE(line.find(",\"clearance_time\":1,\"nearest\":[8,0,5],\"duration\":1,\"samples\":2,"
-                      "\"longest_step\":1"),
-            std::string::npos)
-      << line;
+  EXPECT_TRUE(says(line,
+                   "\"reason\":\"sampled\",\"verdict\":\"sampled\",\"checked\":\"flight log\","
+                   "\"clearance\":"));
+  EXPECT_TRUE(says(line,
+                   ",\"clearance_time\":1,\"nearest\":[8,0,5],\"duration\":1,\"samples\":2,"
+                   "\"longest_step\":1"));
   const ReportSummary read = parse_report_record(line, "report", 1);
   EXPECT_EQ(read.reason, "sampled");
   EXPECT_NEAR(read.extremes.at(0).value, 2, 1e-8);
@@ -93,7 +92,7 @@ TEST(SampledReport, SaysHowCloseItCame) {
 
 TEST(SampledReport, SaysWhereItTouched) {
   const std::string line = to_json_line(report({{0, 0, 5}, {20, 0, 5}}, {0, 1}), scene().map());
-  EXPECT_EQ(line.find("verdict"), std::string::npos);
+  EXPECT_FALSE(says(line, "verdict"));
   const ReportSummary read = parse_report_record(line, "report", 1);
   EXPECT_EQ(read.reason, "collision");
   EXPECT_EQ(read.box, 0u);
@@ -104,14 +103,12 @@ TEST(SampledReport, SaysHowMuchStayedInTheTube) {
   SampledReport one = report({{0, 0, 5}, {1, 0, 5}}, {0, 1});
   one.cut = true;
   one.plan = FlownTube{{0.25, 1}, 1, 0.5};
-  EXPECT_NE(to_json_line(one, scene().map())
-                .find("\"cut\":true,\"plan\":{\"furthest\":0.25,\"furthest_time\":1}"),
-            std::string::npos);
+  EXPECT_TRUE(says(to_json_line(one, scene().map()),
+                   "\"cut\":true,\"plan\":{\"furthest\":0.25,\"furthest_time\":1}"));
   one.tube = TubeKind::statistics;
-  EXPECT_NE(to_json_line(one, scene().map())
-                .find("\"furthest_time\":1,\"tube\":\"statistics\",\"inside_tube\":1,\"share\":0.5,"
-                      "\"left_tube\":0.5}"),
-            std::string::npos);
+  EXPECT_TRUE(says(to_json_line(one, scene().map()),
+                   "\"furthest_time\":1,\"tube\":\"statistics\",\"inside_tube\":1,\"share\":0.5,"
+                   "\"left_tube\":0.5}"));
 }
 
 }  // namespace

@@ -2,9 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <sstream>
-
-#include "support/refusal.h"
+#include "support/reading.h"
 #include "traj/flights.h"
 #include "traj/scenes.h"
 
@@ -46,8 +44,7 @@ std::vector<SimulatedFlight> fly(SimulatedFlights& flights, unsigned threads = 1
 
 TEST(SimulatedFlights, GivesAFlightARecordInOrder) {
   SimulatedFlights flights(options(), nullptr);
-  std::istringstream in(stream());
-  EXPECT_EQ(flights.read(in, "s", {}), 3u);
+  EXPECT_EQ(flights.read(support::Text(stream()), "s", {}), 3u);
   const auto flown = fly(flights);
   ASSERT_EQ(flown.size(), 3u);
   EXPECT_EQ(flown[0].report.id, "a");
@@ -61,8 +58,7 @@ TEST(SimulatedFlights, GivesAFlightARecordInOrder) {
 TEST(SimulatedFlights, AreTheSameForAnyThreads) {
   const auto samples = [](unsigned threads) {
     SimulatedFlights flights(options(), nullptr);
-    std::istringstream in(stream());
-    flights.read(in, "s", {});
+    flights.read(support::Text(stream()), "s", {});
     std::vector<Vec3> out;
     for (const SimulatedFlight& one : fly(flights, threads)) {
       for (const FlightSample& sample : one.log.samples) out.push_back(sample.position);
@@ -74,8 +70,8 @@ TEST(SimulatedFlights, AreTheSameForAnyThreads) {
 
 TEST(SimulatedFlights, TakesWhatItsShardTakes) {
   SimulatedFlights flights(options(), nullptr);
-  std::istringstream in(stream());
-  EXPECT_EQ(flights.read(in, "s", {.index = 2, .count = 3}), 3u) << "all of the stream are counted";
+  EXPECT_EQ(flights.read(support::Text(stream()), "s", {.index = 2, .count = 3}), 3u)
+      << "all of the stream are counted";
   const auto flown = fly(flights);
   ASSERT_EQ(flown.size(), 1u);
   EXPECT_EQ(flown[0].report.id, "b");
@@ -83,17 +79,18 @@ TEST(SimulatedFlights, TakesWhatItsShardTakes) {
 
 TEST(SimulatedFlights, RefusesFlightsOfMoreThanTenHours) {
   SimulatedFlights flights(options(), nullptr);
-  std::istringstream in(to_json_line(record("long", 36001)));
-  EXPECT_NE(support::refusal_of([&] { flights.read(in, "s", {}); }).find("at most 36000 s"),
-            std::string::npos);
+  EXPECT_TRUE(support::says(support::refusal_of([&] {
+                              flights.read(support::Text(to_json_line(record("long", 36001))), "s",
+                                           {});
+                            }),
+                            "at most 36000 s"));
 }
 
 TEST(SimulatedFlights, TunesOnlyWhereThereIsATrajectory) {
   SimulatedFlights flights(options(), nullptr);
-  std::istringstream in(to_json_line(without_way("none")));
-  flights.read(in, "s", {});
-  EXPECT_NE(support::refusal_of([&] { flights.tune({}, {}); }).find("solved trajectory"),
-            std::string::npos);
+  flights.read(support::Text(to_json_line(without_way("none"))), "s", {});
+  EXPECT_TRUE(
+      support::says(support::refusal_of([&] { flights.tune({}, {}); }), "solved trajectory"));
 }
 
 // A slab above the flight, higher than the body's half size at the profile's tilt and lower than at
@@ -115,8 +112,7 @@ TEST(SimulatedFlights, HoldTubesAgainstTheMapAtTheTiltThatIsFlown) {
     geom::Scenes scenes(place.map(), {asked.profile.vehicle, 0.0}, geom::Differences::allowed,
                         1u << 30);
     SimulatedFlights flights(asked, &scenes);
-    std::istringstream in(to_json_line(record("a", 3)));
-    flights.read(in, "s", {});
+    flights.read(support::Text(to_json_line(record("a", 3))), "s", {});
     const auto flown = fly(flights);
     ASSERT_EQ(flown.size(), 1u);
     const FlightReport& report = flown[0].report;

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "geom/text/json_line.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 #include "traj/record/flight_report.h"
 
 namespace traj {
@@ -44,7 +44,8 @@ TEST(TubeRecord, ReadsTheProvedTubeOfAReport) {
   EXPECT_EQ(tube->claim.disturbances->gust_most, 0.5);
   EXPECT_EQ(tube->provenance.vehicle->name, "quad");
   EXPECT_TRUE(tube->refused.empty());
-  EXPECT_NE(in_words(tube->claim).find("proved for the simulated vehicle under the geometric controller"), std::string::npos);
+  EXPECT_TRUE(support::says(in_words(tube->claim),
+                            "proved for the simulated vehicle under the geometric controller"));
 }
 
 TEST(TubeRecord, NeverCallsTheTubeOfRunsProved) {
@@ -55,11 +56,12 @@ TEST(TubeRecord, NeverCallsTheTubeOfRunsProved) {
   EXPECT_EQ(tube->radius, (std::vector<double>{0.2, 0.3}));
   EXPECT_EQ(tube->claim.largest, 0.3);
   const std::string words = in_words(tube->claim);
-  EXPECT_NE(words.find("not proved"), std::string::npos);
-  EXPECT_EQ(words.find("proved for"), std::string::npos);
+  EXPECT_TRUE(support::says(words, "not proved"));
+  EXPECT_FALSE(support::says(words, "proved for"));
   geom::JsonLine line;
   add(line, tube->claim);
-  EXPECT_EQ(line.object(), R"({"kind":"statistics","largest":0.3,"tilt":0,"controller":"cascade"})");
+  EXPECT_EQ(line.object(),
+            R"({"kind":"statistics","largest":0.3,"tilt":0,"controller":"cascade"})");
 }
 
 TEST(TubeRecord, IsNothingForAFlightWithoutATube) {
@@ -108,7 +110,7 @@ TEST(TubeRecord, RefusesProvedTubesThatCannotBe) {
   };
   for (const auto& [part, other] : changes) {
     const std::string text = with(proved(), part, other);
-    EXPECT_NE(support::refusal_of([&] { tube_of(text); }).find("flights:3"), std::string::npos)
+    EXPECT_TRUE(support::says(support::refusal_of([&] { tube_of(text); }), "flights:3"))
         << part << " -> " << other;
   }
   const std::string whole = proved();
@@ -124,8 +126,7 @@ TEST(TubeRecord, RefusesTubesOfRunsThatCannotBe) {
         R"({"period":"0.1","radius":[1]})", R"({"period":0.1,"radius":2})"}) {
     const std::string line =
         std::string(R"({"type":"flight","id":"a","monte_carlo":{"tube":)") + text + "}}";
-    EXPECT_NE(support::refusal_of([&] { tube_of(line); }).find("flights:3"), std::string::npos)
-        << text;
+    EXPECT_TRUE(support::says(support::refusal_of([&] { tube_of(line); }), "flights:3")) << text;
   }
 }
 

@@ -2,9 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <sstream>
-
-#include "support/refusal.h"
+#include "support/reading.h"
 #include "traj/curve/trajectory_hash.h"
 #include "traj/flights.h"
 #include "traj/record/flight_report.h"
@@ -35,8 +33,7 @@ FlightReport report_of(const TrajectoryRecord& flown, std::size_t periods = 10) 
 }
 
 TubeReports read(const std::string& text) {
-  std::istringstream in(text);
-  return TubeReports::read(in, "tubes");
+  return TubeReports::read(support::Text(text), "tubes");
 }
 
 std::string refusal(const FlightReport& report, const TrajectoryRecord& record,
@@ -52,33 +49,30 @@ TEST(TubeReports, GivesTheTubeOfATrajectory) {
   EXPECT_EQ(tubes.tube_of("a", plan("a").trajectory, kOver)->radius.size(), 10u);
   EXPECT_FALSE(tubes.tube_of("none", plan("none").trajectory, kOver));
   EXPECT_FALSE(tubes.tube_of("b", plan("b").trajectory, kOver));
-  EXPECT_NE(support::refusal_of([&] {
-              tubes.require_tube("b", plan("b").trajectory, kOver);
-            }).find("found none of \"b\""),
-            std::string::npos);
+  EXPECT_TRUE(support::says(
+      support::refusal_of([&] { tubes.require_tube("b", plan("b").trajectory, kOver); }),
+      "found none of \"b\""));
 }
 
 TEST(TubeReports, RefuseTheTubeOfAnother) {
   const FlightReport report = report_of(plan("a"));
   EXPECT_EQ(refusal(report, plan("a")), "");
-  EXPECT_NE(refusal(report, plan("a", {3, 1e-9, 0})).find("tubes:1: expected a tube of the tr"),
-            std::string::npos);
-  EXPECT_NE(refusal(report, plan("a"), {.frame = geom::Axes::neu}).find("axes neu"),
-            std::string::npos);
+  EXPECT_TRUE(support::says(refusal(report, plan("a", {3, 1e-9, 0})),
+                            "tubes:1: expected a tube of the tr"));
+  EXPECT_TRUE(support::says(refusal(report, plan("a"), {.frame = geom::Axes::neu}), "axes neu"));
   geom::Provenance other = kOver;
   other.vehicle->half.x() = 0.31;
-  EXPECT_NE(refusal(report, plan("a"), other).find("half sizes [0.31, "), std::string::npos);
+  EXPECT_TRUE(support::says(refusal(report, plan("a"), other), "half sizes [0.31, "));
   other.vehicle = geom::Vehicle{"other", kQuad.half};
-  EXPECT_NE(refusal(report, plan("a"), other).find("\"other\""), std::string::npos);
+  EXPECT_TRUE(support::says(refusal(report, plan("a"), other), "\"other\""));
   FlightReport nobody = report;
   nobody.provenance.vehicle.reset();
-  EXPECT_NE(refusal(nobody, plan("a")).find("found none"), std::string::npos);
+  EXPECT_TRUE(support::says(refusal(nobody, plan("a")), "found none"));
 }
 
 TEST(TubeReports, RefuseATubeThatIsShorterOrLongerThanItsTrajectory) {
   for (const std::size_t periods : {1, 9, 11}) {
-    EXPECT_NE(refusal(report_of(plan("a"), periods), plan("a")).find("for the 0.95 s"),
-              std::string::npos)
+    EXPECT_TRUE(support::says(refusal(report_of(plan("a"), periods), plan("a")), "for the 0.95 s"))
         << periods;
   }
 }
@@ -87,15 +81,15 @@ TEST(TubeReports, RefuseAProofThatWasRefused) {
   FlightReport report = report_of(plan("a"));
   report.proved.trouble = TubeTrouble{.kind = TubeTrouble::Kind::unstable};
   const std::string why = refusal(report, plan("a"));
-  EXPECT_NE(why.find("tubes:1: expected a tube that is proved, found a proof that was refused "
-                     "(unstable)"),
-            std::string::npos)
-      << why;
+  EXPECT_TRUE(
+      support::says(why,
+                    "tubes:1: expected a tube that is proved, found a proof that was refused "
+                    "(unstable)"));
 }
 
 TEST(TubeReports, RefuseASecondTubeOfOneFlight) {
   const std::string line = to_json_line(report_of(plan("a")), {}, nullptr);
-  EXPECT_NE(support::refusal_of([&] { read(line + line); }).find("tubes:2"), std::string::npos);
+  EXPECT_TRUE(support::says(support::refusal_of([&] { read(line + line); }), "tubes:2"));
 }
 
 }  // namespace

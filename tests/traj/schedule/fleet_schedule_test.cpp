@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace traj {
 namespace {
@@ -42,8 +42,7 @@ const Spacing kSpacing{.zone = cylinder(3, 3), .downwash = {}};
 // What is chosen for a stream, beside flights of others.
 Chosen choose(const std::string& stream, double max_delay, const std::string& others = "") {
   Chosen out{.stream = FleetStream({.max_delay = max_delay}, {})};
-  std::istringstream in(stream);
-  out.stream.read(in, "stream.jsonl");
+  out.stream.read(support::Text(stream), "stream.jsonl");
   std::istringstream settled(others);
   if (!others.empty()) out.stream.read_others(settled, "others.jsonl");
   out.flights = out.stream.flights();
@@ -89,7 +88,7 @@ TEST(FleetSchedule, SaysForWhomAFlightIsRefused) {
   const Outcome out = outcome_of(choose(record("first", false) + record("second", true), 0));
   EXPECT_EQ(out.refused, 1u);
   EXPECT_TRUE(out.together) << "all that departs keeps apart";
-  EXPECT_NE(out.why.find("first"), std::string::npos) << out.why;
+  EXPECT_TRUE(support::says(out.why, "first"));
   EXPECT_NE(parse_trajectory_record(out.records[1], "", 2).status, TrajectoryStatus::solved);
 }
 

@@ -2,9 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 #include "geom/record/volume4d.h"
+#include "support/reading.h"
 #include "traj/scenes.h"
 #include "traj/submit/risk_geojson.h"
 
@@ -30,8 +29,7 @@ TEST(FlightParts, HaveAllOfAFlightThatHolds) {
   EXPECT_EQ(parts.refusal, "");
   EXPECT_EQ(parts.id, "q1");
   EXPECT_EQ(parts.claims.id, "q1");
-  std::istringstream volumes(parts.volumes);
-  EXPECT_FALSE(geom::read_intent_volumes(volumes, "v").nominal.empty());
+  EXPECT_FALSE(geom::read_intent_volumes(support::Text(parts.volumes), "v").nominal.empty());
   EXPECT_EQ(read_risk_geojson(parts.risk, "r").volumes.buffers.size(), parts.buffers.size());
   EXPECT_FALSE(parts.certificate.empty());
 }

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <sstream>
-
+#include "support/reading.h"
 #include "traj/scenes.h"
 
 namespace traj {
@@ -36,8 +35,7 @@ std::string refusal(const TrajectoryRecord& record, const SubmissionMethod& by =
 
 // As whoever gets the file reads them.
 geom::IntentVolumes read_back(const geom::IntentVolumes& intent) {
-  std::istringstream in(volumes_json(intent));
-  return geom::read_intent_volumes(in, "v");
+  return geom::read_intent_volumes(support::Text(volumes_json(intent)), "v");
 }
 
 TEST(SubmittedTrajectory, ItsVolumesHoldItAfterTheyWereRead) {
@@ -77,20 +75,18 @@ TEST(SubmittedTrajectory, SaysWhyItCannotBeInAFolder) {
   EXPECT_EQ(refusal(flight({0, 0, 5}, {9, 0, 5})), "its check refuses it");
   TrajectoryRecord timeless = flight({0, 5, 5}, {9, 5, 5});
   timeless.time.start.reset();
-  EXPECT_NE(refusal(timeless).find("no \"start\""), std::string::npos);
+  EXPECT_TRUE(support::says(refusal(timeless), "no \"start\""));
   TrajectoryRecord unlimited = flight({0, 5, 5}, {9, 5, 5});
   unlimited.limits = {};
-  EXPECT_NE(refusal(unlimited).find("no limit on its speed"), std::string::npos);
+  EXPECT_TRUE(support::says(refusal(unlimited), "no limit on its speed"));
   SubmissionMethod tired = method();
   tired.endurance = 9;
-  EXPECT_NE(refusal(flight({0, 5, 5}, {9, 5, 5}), tired).find("the operation says"),
-            std::string::npos);
+  EXPECT_TRUE(support::says(refusal(flight({0, 5, 5}, {9, 5, 5}), tired), "the operation says"));
   tired.endurance = 10;
   EXPECT_EQ(refusal(flight({0, 5, 5}, {9, 5, 5}), tired), "");
   SubmissionMethod weak = method();
   weak.energy = Energy{1000, 110, 0, 0};
-  EXPECT_NE(refusal(flight({0, 5, 5}, {9, 5, 5}), weak).find("the battery lasts"),
-            std::string::npos);
+  EXPECT_TRUE(support::says(refusal(flight({0, 5, 5}, {9, 5, 5}), weak), "the battery lasts"));
 }
 
 TEST(SubmittedTrajectory, ItsClaimsFollowFromItsVolumes) {

@@ -4,19 +4,12 @@
 
 #include <cmath>
 
+#include "traj/scenes.h"
+
 namespace traj {
 namespace {
 
-// From a point to another at constant speed.
-Trajectory straight(const Vec3& from, const Vec3& to, double seconds) {
-  Segment s;
-  s.duration = seconds;
-  for (std::size_t i = 0; i < kPoints; ++i) {
-    s.point[i] = from + (to - from) * (static_cast<double>(i) / kDegree);
-  }
-  s.point.back() = to;
-  return {{s}};
-}
+using testing::straight;
 
 MovingBox still_box(double from = 0, double until = 100) {
   MovingBox box;

@@ -6,15 +6,12 @@
 
 #include "support/pair_case.h"
 #include "support/random_city.h"
+#include "traj/scenes.h"
 
 namespace traj {
 namespace {
 
-Trajectory straight(const Vec3& from, const Vec3& to, double seconds = 10) {
-  Segment s{seconds, {}, {}};
-  for (int i = 0; i < kPoints; ++i) s.point[i] = from + (to - from) * (i / 7.0);
-  return {{s}};
-}
+using testing::straight;
 
 TEST(NearestApproaches, AreThoseOfStraightWays) {
   const Trajectory a = straight({-10, 0, 5}, {10, 0, 5});
@@ -82,7 +79,7 @@ TEST(NearestApproachesProperty, AreNoFartherThanSamplesAndAsNearAsTheyComeThere)
                                evaluate(*b.trajectory, t - b.start).position)
                                   .norm());
     }
-    SCOPED_TRACE(testing::Message()
+    SCOPED_TRACE(::testing::Message()
                  << "seed 7, " << approach.flights.first << " and " << approach.flights.second);
     EXPECT_LE(approach.distance, least + 1.001e-3);
     EXPECT_GE(approach.time, begin - 1e-9);

@@ -5,21 +5,17 @@
 #include <cmath>
 
 #include "support/pair_case.h"
+#include "traj/scenes.h"
 
 namespace traj {
 namespace {
 
 using support::Meeting;
 using support::PairCase;
+using testing::straight;
 
 PairResult check(const PairCase& c) {
   return check_pair(c.first(), c.second(), std::array{c.zone}, c.parked);
-}
-
-Trajectory straight(const Vec3& from, const Vec3& to, double seconds) {
-  Segment s{seconds, {}, {}};
-  for (int i = 0; i < kPoints; ++i) s.point[i] = from + (to - from) * (i / 7.0);
-  return {{s}};
 }
 
 TEST(PairCheck, IsTheSameTheOtherWayRound) {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/collada_text.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {

@@ -7,10 +7,9 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <sstream>
 
 #include "support/collada_text.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {
@@ -50,8 +49,7 @@ Made made(const std::string& inside, const std::string& pose = "", double slack 
   if (blur) {
     options.read_collada = [&](const SdfFile& file) {
       EXPECT_EQ(file.name, "models/wedge.dae");
-      std::istringstream in(kCrate);
-      Model model = read_obj(in, file.name);
+      Model model = read_obj(support::Text(kCrate), file.name);
       model.blur = *blur;
       return model;
     };
@@ -127,10 +125,10 @@ TEST(SdfMeshes, ColladaGrowsByWhatItMayBeOffAndKeepsTheSlack) {
   const Vec3 high = m.boxes[0].max - Vec3(14, 2, 2);
   EXPECT_GE(high.minCoeff(), grown);
   EXPECT_LE(high.norm() + grown, 0.1);
-  EXPECT_NE(support::refusal_of([&] {
-              made("<uri>wedge.dae</uri><scale>1 1 -3</scale>", "", 0.1, "", blur);
-            }).find("known to 0.0208 m only: give a slack of at least 0.119 m"),
-            std::string::npos);
+  EXPECT_TRUE(support::says(support::refusal_of([&] {
+                              made("<uri>wedge.dae</uri><scale>1 1 -3</scale>", "", 0.1, "", blur);
+                            }),
+                            "known to 0.0208 m only: give a slack of at least 0.119 m"));
 }
 
 TEST(SdfMeshes, EachUseOfAMeshThatSimulatorsShowDifferentlyIsSkipped) {
@@ -161,7 +159,7 @@ TEST(SdfMeshes, SkipWhatIsNotReadOrMayHoldMore) {
         {uri + "<tile>2 2</tile>", "unknown element"}}) {
     const Made m = made(inside);
     EXPECT_TRUE(m.boxes.empty()) << inside;
-    EXPECT_NE(m.skipped.text().find(kind), std::string::npos) << m.skipped.text();
+    EXPECT_TRUE(support::says(m.skipped.text(), kind));
   }
   EXPECT_EQ(made(uri, "", 0.1, kCrate + "l 1 2\n").skipped.text(),
             "1 x point or line (models/crate.obj: line 15: l)");
@@ -175,15 +173,14 @@ TEST(SdfMeshes, SkipWhatIsNotReadOrMayHoldMore) {
 }
 
 TEST(SdfMeshes, RefuseWhatIsMalformedOrCut) {
-  EXPECT_NE(refusal("").find("expected <uri>"), std::string::npos);
-  EXPECT_NE(refusal("<uri>crate.obj</uri><scale>1 0 1</scale>").find("must not be 0"),
-            std::string::npos);
+  EXPECT_TRUE(support::says(refusal(""), "expected <uri>"));
+  EXPECT_TRUE(support::says(refusal("<uri>crate.obj</uri><scale>1 0 1</scale>"), "must not be 0"));
   EXPECT_NE(refusal("<uri>crate.obj</uri><scale>1 1</scale>"), "");
   EXPECT_NE(refusal("<uri>crate.obj</uri><scale>1e8 1e8 1e8</scale>"), "") << "beyond 1e8 m";
-  EXPECT_NE(refusal("<uri>crate.obj</uri>", "", kCrate + "f 1 2 9\n").find("models/crate.obj:15"),
-            std::string::npos);
-  EXPECT_NE(refusal("<uri>crate.obj</uri>", "", "v 0 0 0\n").find("expected triangles, found none"),
-            std::string::npos);
+  EXPECT_TRUE(support::says(refusal("<uri>crate.obj</uri>", "", kCrate + "f 1 2 9\n"),
+                            "models/crate.obj:15"));
+  EXPECT_TRUE(support::says(refusal("<uri>crate.obj</uri>", "", "v 0 0 0\n"),
+                            "expected triangles, found none"));
 }
 
 }  // namespace

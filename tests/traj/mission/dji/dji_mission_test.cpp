@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/refusal.h"
+#include "support/reading.h"
 #include "traj/flight/vehicle_profile.h"
 #include "traj/mission/mavlink/examples.h"
 
@@ -319,8 +319,8 @@ TEST(FlownDji, AircraftThatDoNotRiseFirstNeedAHighFirstWaypoint) {
     m.security_height = 30;
     EXPECT_EQ(support::refusal_of([&] { fly(m); }), "");
     m.security_height = 31;
-    EXPECT_NE(support::refusal_of([&] { fly(m); }).find("does not rise to takeOffSecurityHeight"),
-              std::string::npos);
+    EXPECT_TRUE(support::says(support::refusal_of([&] { fly(m); }),
+                              "does not rise to takeOffSecurityHeight"));
     m.security_height = 30;
     m.approach = DjiApproach::point_to_point;
     EXPECT_NE(support::refusal_of([&] { fly(m); }), "");

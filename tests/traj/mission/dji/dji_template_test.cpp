@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "mission/dji/dji_waylines.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 #include "traj/mission/dji/dji_examples.h"
 
 namespace traj {

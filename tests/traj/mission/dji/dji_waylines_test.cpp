@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/refusal.h"
+#include "support/reading.h"
 #include "traj/mission/dji/dji_examples.h"
 
 namespace traj {
@@ -123,7 +123,8 @@ TEST(DjiWaylines, OtherVersionsAndNamespacesAreRefused) {
             ": expected the namespace http://www.dji.com/wpmz/1.0.0 or 1.0.2 to 1.0.6, found "
             "\"http://www.uav.com/wpmz/1.0.2\"");
   EXPECT_EQ(root(wpml), ": expected xmlns in <kml>, found none");
-  EXPECT_EQ(root(kml + " " + wpml + " " + wpml), ": expected each attribute of a tag once, found one twice");
+  EXPECT_EQ(root(kml + " " + wpml + " " + wpml),
+            ": expected each attribute of a tag once, found one twice");
   EXPECT_EQ(root("xmlns=\"x\" " + wpml),
             ": expected the namespace http://www.opengis.net/kml/2.2, found \"x\"");
   EXPECT_EQ(refusal_of_folder("<Folder xmlns:wpml=\"x\"/>"),

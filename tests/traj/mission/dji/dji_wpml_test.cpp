@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "geom/archive/small_zip.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 #include "traj/mission/dji/dji_examples.h"
 #include "traj/mission/mavlink/examples.h"
 
@@ -32,10 +32,7 @@ std::string zipped(const std::vector<geom::SmallFile>& files) {
   return out.str();
 }
 
-DjiMission read(const std::string& kmz) {
-  std::istringstream in(kmz);
-  return read_dji_kmz(in, "m.kmz");
-}
+DjiMission read(const std::string& kmz) { return read_dji_kmz(support::Text(kmz), "m.kmz"); }
 
 std::string refusal(const std::string& kmz) {
   return support::refusal_of([&] { read(kmz); });
@@ -109,7 +106,7 @@ TEST(DjiKmz, HoldsTheTwoFilesOfWpml) {
   const auto files =
       geom::files_of_zip(kmz, "m", {"a mission", {"wpmz/template.kml", "wpmz/waylines.wpml"}, {}});
   ASSERT_EQ(files.size(), 2u);
-  EXPECT_NE(files[0].content.find("<wpml:author>skyway &amp; co</wpml:author>"), std::string::npos);
+  EXPECT_TRUE(support::says(files[0].content, "<wpml:author>skyway &amp; co</wpml:author>"));
 }
 
 TEST(DjiKmz, WhatIsNoKmzOfDjiIsRefused) {

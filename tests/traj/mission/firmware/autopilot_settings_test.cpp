@@ -2,16 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <sstream>
-
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace traj {
 namespace {
 
 AutopilotSettings read(const std::string& text) {
-  std::istringstream in(text);
-  return read_autopilot_settings(in, "p");
+  return read_autopilot_settings(support::Text(text), "p");
 }
 
 SetAutopilot set(const std::string& text, const std::string& asked = "any") {

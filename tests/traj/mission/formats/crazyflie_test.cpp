@@ -6,7 +6,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "support/refusal.h"
+#include "support/reading.h"
 #include "traj/mission/mavlink/examples.h"
 #include "traj/scenes.h"
 
@@ -31,10 +31,10 @@ TEST(Crazyflie, ComesBackToSinglePrecision) {
 TEST(Crazyflie, TakesACommaAtTheEndOfALineAndCrLf) {
   std::string row = "1";
   for (int i = 0; i < 32; ++i) row += ",0.5";
-  std::istringstream plain(row + "\n");
-  std::istringstream odd("Duration,x^0,\r\n" + row + ",\r\n");
-  EXPECT_EQ(read_crazyflie(plain, "c.csv").trajectory.segments[0].point,
-            read_crazyflie(odd, "c.csv").trajectory.segments[0].point);
+  EXPECT_EQ(read_crazyflie(support::Text(row + "\n"), "c.csv").trajectory.segments[0].point,
+            read_crazyflie(support::Text("Duration,x^0,\r\n" + row + ",\r\n"), "c.csv")
+                .trajectory.segments[0]
+                .point);
 }
 
 TEST(Crazyflie, CountsItsMemory) {

@@ -2,16 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <sstream>
-
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace traj {
 namespace {
 
 std::vector<GeodeticFence> read(const std::string& text) {
-  std::istringstream in(text);
-  return read_fences(in, "f");
+  return read_fences(support::Text(text), "f");
 }
 
 std::string refusal(const std::string& text) {

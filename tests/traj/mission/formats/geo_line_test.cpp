@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "geom/base/error.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 #include "traj/mission/mavlink/examples.h"
 #include "traj/mission/mavlink/mission.h"
 
@@ -35,14 +35,17 @@ TEST(GeoLine, ReadsEveryLine) {
   const std::string line =
       "<LineString><altitudeMode>absolute</altitudeMode><coordinates>1,2,3 "
       "1,2,4</coordinates></LineString>";
-  std::istringstream kml("<kml><Placemark>" + line +
-                         "</Placemark><Folder><Placemark><MultiGeometry>" + line + line +
-                         "</MultiGeometry></Placemark></Folder></kml>");
-  EXPECT_EQ(read_kml(kml, "f").size(), 3u);
-  std::istringstream json(
-      R"({"type":"GeometryCollection","geometries":[{"type":"LineString","coordinates":[[1,2,3]]},
-          {"type":"MultiLineString","coordinates":[[[1,2,3]],[[4,5,6],[7,8,9]]]}]})");
-  const auto lines = read_geojson(json, "f");
+  EXPECT_EQ(read_kml(support::Text("<kml><Placemark>" + line +
+                                   "</Placemark><Folder><Placemark><MultiGeometry>" + line + line +
+                                   "</MultiGeometry></Placemark></Folder></kml>"),
+                     "f")
+                .size(),
+            3u);
+  const auto lines = read_geojson(
+      support::Text(
+          R"({"type":"GeometryCollection","geometries":[{"type":"LineString","coordinates":[[1,2,3]]},
+          {"type":"MultiLineString","coordinates":[[[1,2,3]],[[4,5,6],[7,8,9]]]}]})"),
+      "f");
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_EQ(lines[2][1].longitude, 7);
   EXPECT_EQ(lines[2][1].latitude, 8);
@@ -51,8 +54,7 @@ TEST(GeoLine, ReadsEveryLine) {
 
 TEST(GeoLine, RefusalsSayWhereAndWhat) {
   const auto kml = [](const std::string& text) {
-    std::istringstream in(text);
-    return support::refusal_of([&] { read_kml(in, "f"); });
+    return support::refusal_of([&] { read_kml(support::Text(text), "f"); });
   };
   EXPECT_EQ(
       kml("<kml>\n<Point/></kml>"),
@@ -69,8 +71,7 @@ TEST(GeoLine, RefusalsSayWhereAndWhat) {
             "f:2: expected nothing more after the root element, found \"<kml/>\"");
   EXPECT_EQ(kml("<gpx/>"), "f:1: expected KML, found <gpx>");
   const auto json = [](const std::string& text) {
-    std::istringstream in(text);
-    return support::refusal_of([&] { read_geojson(in, "f"); });
+    return support::refusal_of([&] { read_geojson(support::Text(text), "f"); });
   };
   EXPECT_EQ(json(R"({"type":"Feature","geometry":{"type":"Point"}})"),
             "f: the file.geometry: expected LineStrings, found Point, which is no line that could "
@@ -92,15 +93,13 @@ TEST(GeoLine, BadFilesAreRefused) {
         "<LineString><coordinates>1,2</coordinates>",
         "<LineString><coordinates>1,2,3,4</coordinates>",
         "<LineString><coordinates>1,200,3</coordinates>"}) {
-    std::istringstream in(text);
-    EXPECT_THROW(read_kml(in, "f"), geom::InputError) << text;
+    EXPECT_THROW(read_kml(support::Text(text), "f"), geom::InputError) << text;
   }
   for (const char* text :
        {"", "{}", "[]", R"({"features":[]})",
         R"({"features":[{"geometry":{"type":"Point","coordinates":[1,2,3]}}]})",
         R"({"features":[{"geometry":{"type":"LineString","coordinates":[[1,2]]}}]})"}) {
-    std::istringstream in(text);
-    EXPECT_THROW(read_geojson(in, "f"), geom::InputError) << text;
+    EXPECT_THROW(read_geojson(support::Text(text), "f"), geom::InputError) << text;
   }
 }
 

@@ -4,7 +4,7 @@
 
 #include "geom/base/error.h"
 #include "geom/base/usage_error.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace traj {
 namespace {

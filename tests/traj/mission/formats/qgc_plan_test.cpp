@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "geom/base/error.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 #include "traj/mission/mavlink/examples.h"
 #include "traj/mission/mavlink/mission.h"
 
@@ -25,13 +25,7 @@ std::string plan_refusal(const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   if (at == text.npos) return "not there";
   text.replace(at, from.size(), to);
-  std::istringstream in(text);
-  try {
-    read_qgc_plan(in, "m.plan");
-  } catch (const geom::InputError& error) {
-    return error.what();
-  }
-  return "read";
+  return support::refusal_of([&] { read_qgc_plan(support::Text(text), "m.plan"); });
 }
 
 TEST(QgcPlan, BadFilesAreRefused) {
@@ -66,10 +60,7 @@ std::string item(const std::string& keys, int number = 1) {
          R"(,"params":[0,0,0,null,47,8,30],)" + keys + "}";
 }
 
-Mission read(const std::string& text) {
-  std::istringstream in(text);
-  return read_qgc_plan(in, "m.plan");
-}
+Mission read(const std::string& text) { return read_qgc_plan(support::Text(text), "m.plan"); }
 
 std::string refusal(const std::string& text) {
   return support::refusal_of([&] { read(text); });

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "support/refusal.h"
+#include "support/reading.h"
 #include "traj/mission/mavlink/examples.h"
 
 namespace traj {

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "geom/base/error.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 #include "traj/scenes.h"
 
 namespace traj {
@@ -78,8 +78,7 @@ TEST(Tello, TimesAreOfATrapezoidAndARest) {
 }
 
 std::string refusal(const std::string& text) {
-  std::istringstream in(text);
-  return support::refusal_of([&] { read_tello(in, "t.txt"); });
+  return support::refusal_of([&] { read_tello(support::Text(text), "t.txt"); });
 }
 
 TEST(Tello, BadScriptsAreRefused) {

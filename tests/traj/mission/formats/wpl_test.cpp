@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "geom/base/error.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 #include "traj/mission/mavlink/examples.h"
 #include "traj/mission/mavlink/mission.h"
 #include "traj/mission/mavlink/mission_flight.h"
@@ -17,8 +17,8 @@ using testing::every_item;
 using testing::expect_same;
 
 FlownMavlink fly(const std::string& items) {
-  std::istringstream in("QGC WPL 110\n" + items);
-  return flown_mission(read_wpl(in, "m.wpl"), {{47, 8, 400}, 0}, {}, "m.wpl");
+  return flown_mission(read_wpl(support::Text("QGC WPL 110\n" + items), "m.wpl"), {{47, 8, 400}, 0},
+                       {}, "m.wpl");
 }
 
 std::string refusal(const std::string& items) {
@@ -81,15 +81,11 @@ TEST(Wpl, BadFilesAreRefused) {
             "m.wpl:3: a hold must be >= 0 s, found -1");
   EXPECT_EQ(refusal(home + "1\t0\t2\t20\t0\t0\t0\t0\t0\t0\t0\t1\n"),
             "m.wpl: expected at least one waypoint, found none");
-  std::istringstream other("QGC WPL 100\n");
-  EXPECT_EQ(support::refusal_of([&] { read_wpl(other, "m.wpl"); }),
+  EXPECT_EQ(support::refusal_of([&] { read_wpl(support::Text("QGC WPL 100\n"), "m.wpl"); }),
             "m.wpl:1: expected \"QGC WPL 110\", found \"QGC WPL 100\"");
 }
 
-Mission read(const std::string& text) {
-  std::istringstream in(text);
-  return read_wpl(in, "m.wpl");
-}
+Mission read(const std::string& text) { return read_wpl(support::Text(text), "m.wpl"); }
 
 const std::string kItem = "\t0\t3\t16\t0\t0\t0\t0\t47\t8\t15\t1";
 

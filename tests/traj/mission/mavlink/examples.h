@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "support/refusal.h"
+#include "support/reading.h"
 #include "traj/curve/trajectory.h"
 #include "traj/mission/mavlink/mission.h"
 
@@ -61,8 +61,7 @@ inline Trajectory example() {
 }
 
 inline std::string refusal(const std::string& text, void (*read)(std::istream&)) {
-  std::istringstream in(text);
-  return support::refusal_of([&] { read(in); });
+  return support::refusal_of([&] { read(support::Text(text)); });
 }
 
 }  // namespace traj::testing

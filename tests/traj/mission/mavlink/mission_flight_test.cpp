@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "geom/shape/hull.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace traj {
 namespace {

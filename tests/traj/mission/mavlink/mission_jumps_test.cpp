@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace traj {
 namespace {

@@ -5,9 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <sstream>
 
-#include "support/refusal.h"
+#include "support/reading.h"
 #include "traj/mission/ulog/px4_projection.h"
 #include "ulog_bytes.h"
 
@@ -68,8 +67,7 @@ struct Log {
   }
 
   Px4Flight read(const Px4Options& options = {}) const {
-    std::istringstream in(bytes);
-    return read_px4_flight(in, "log.ulg", options);
+    return read_px4_flight(support::Text(bytes), "log.ulg", options);
   }
 };
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "geom/base/error.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 #include "ulog_bytes.h"
 
 namespace traj {
@@ -177,33 +177,32 @@ TEST(UlogReader, GoesOnWithAppendedData) {
 }
 
 TEST(UlogReader, RefusesFlagsItDoesNotKnow) {
-  EXPECT_NE(refusal(ulog_head() + flags(2, {})).find("features which readers must know"),
-            std::string::npos);
+  EXPECT_TRUE(
+      support::says(refusal(ulog_head() + flags(2, {})), "features which readers must know"));
   std::string later(40, '\0');
   later[15] = 1;
-  EXPECT_NE(refusal(ulog_head() + ulog_message('B', later)).find("must know"), std::string::npos);
-  EXPECT_NE(refusal(ulog_head() + ulog_message('B', "short")).find("flags of 40 bytes, found 5"),
-            std::string::npos);
-  EXPECT_NE(refusal(ulog_head() + flags(1, {10})).find("appended data after"), std::string::npos);
-  EXPECT_NE(refusal(ulog_head() + flags(1, {900, 800})).find("found byte 800"), std::string::npos);
+  EXPECT_TRUE(support::says(refusal(ulog_head() + ulog_message('B', later)), "must know"));
+  EXPECT_TRUE(support::says(refusal(ulog_head() + ulog_message('B', "short")),
+                            "flags of 40 bytes, found 5"));
+  EXPECT_TRUE(support::says(refusal(ulog_head() + flags(1, {10})), "appended data after"));
+  EXPECT_TRUE(support::says(refusal(ulog_head() + flags(1, {900, 800})), "found byte 800"));
   std::string compatible(44, '\0');
   compatible[0] = 3;
   EXPECT_EQ(read(ulog_head() + ulog_message('B', compatible)).summary.messages, 1u);
 }
 
 TEST(UlogReader, RefusesWhatIsNoLog) {
-  EXPECT_NE(refusal("").find("expected a PX4 log (ULog), found \"\""), std::string::npos);
-  EXPECT_NE(refusal("id,t_s,east_m").find("found \"id,t_s,\""), std::string::npos);
-  EXPECT_NE(refusal(ulog_head().substr(0, 12)).find("a header of 16 bytes, found 12"),
-            std::string::npos);
+  EXPECT_TRUE(support::says(refusal(""), "expected a PX4 log (ULog), found \"\""));
+  EXPECT_TRUE(support::says(refusal("id,t_s,east_m"), "found \"id,t_s,\""));
+  EXPECT_TRUE(support::says(refusal(ulog_head().substr(0, 12)), "a header of 16 bytes, found 12"));
   EXPECT_EQ(read(ulog_head(9, 77)).summary.version, 9);
   EXPECT_EQ(read(ulog_head(9, 77)).summary.start, 77u);
 }
 
 TEST(UlogReader, RefusesTopicsWithoutTime) {
-  EXPECT_NE(refusal(ulog_head() + ulog_message('F', "p:float x;") + ulog_topic("p", 7))
-                .find("format p: expected a field \"uint64_t timestamp\""),
-            std::string::npos);
+  EXPECT_TRUE(
+      support::says(refusal(ulog_head() + ulog_message('F', "p:float x;") + ulog_topic("p", 7)),
+                    "format p: expected a field \"uint64_t timestamp\""));
   // A topic that nobody asks for may be what it likes.
   EXPECT_EQ(
       read(ulog_head() + ulog_message('F', "q:nonsense x;") + ulog_topic("q", 7)).summary.messages,

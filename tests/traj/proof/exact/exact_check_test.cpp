@@ -7,28 +7,24 @@
 #include "support/random_city.h"
 #include "traj/proof/check.h"
 #include "traj/record/certificate_record.h"
+#include "traj/scenes.h"
 
 namespace traj {
 namespace {
 
 using geom::CollisionScene;
+using testing::arc;
+using testing::one_box;
+using testing::rest;
 
 ExactResult exactly(const CollisionScene& scene, const Trajectory& t, const Limits& limits = {}) {
   return check_exactly({scene.map(), scene.vehicle(), scene.margin(), limits}, t);
 }
 
-State rest(const Vec3& p) { return {p, Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}; }
-
-Trajectory arc(const Vec3& middle, const Vec3& velocity) {
-  const State through{middle, velocity, {0, 0, 1}, Vec3::Zero()};
-  return {{hermite(rest(middle + Vec3(-12, 3, 2)), through, 4),
-           hermite(through, rest(middle + Vec3(13, -2, 5)), 4)}};
-}
-
-geom::BoxMap one_box() {
-  geom::BoxMapSpec spec;
-  spec.bounds = {{-50, -50, -50}, {50, 50, 50}};
-  return geom::BoxMap(spec, support::table_of({{{-1, -1, -1}, {1, 1, 1}}}));
+// A cube of 2 m in the middle, and a vehicle of 1 m.
+const CollisionScene& cube() {
+  static const CollisionScene made(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
+  return made;
 }
 
 double length_of(const Cover& cover) {
@@ -112,35 +108,33 @@ TEST(ExactCheck, AcceptsWhatTheFastCheckAccepts) {
 }
 
 TEST(ExactCheck, AllowsALimitToBeReached) {
-  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
   const Trajectory line{{hermite(rest({-10, 4, 0}), rest({10, 4, 0}), 8)}};
   const double most = 20.0 / 8 * 35 / 16;  // at the middle, exactly
-  EXPECT_TRUE(exactly(scene, line, {{Limit::speed, most}}).ok);
-  const ExactResult over = exactly(scene, line, {{Limit::speed, std::nextafter(most, 0)}});
+  EXPECT_TRUE(exactly(cube(), line, {{Limit::speed, most}}).ok);
+  const ExactResult over = exactly(cube(), line, {{Limit::speed, std::nextafter(most, 0)}});
   EXPECT_EQ(over.reason, broken(Limit::speed));
   EXPECT_EQ(over.time, 4);
   EXPECT_FALSE(over.undecided);
 }
 
 TEST(ExactCheck, SeesGapsJumpsBoundsAndDurations) {
-  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
   Trajectory t = arc({0, 20, 0}, {3, 0, 0});
-  EXPECT_TRUE(exactly(scene, t).ok);
+  EXPECT_TRUE(exactly(cube(), t).ok);
   Trajectory gap = t;
   for (Vec3& p : gap.segments[1].point) p.x() += 0x1p-31;
-  const ExactResult small = exactly(scene, gap);
+  const ExactResult small = exactly(cube(), gap);
   EXPECT_TRUE(small.ok) << name(small.reason);
   EXPECT_TRUE(small.segments[0].gap);
   EXPECT_EQ(small.joints[0], "1/2147483648");
   for (Vec3& p : gap.segments[1].point) p.x() += 1e-6;
-  EXPECT_EQ(exactly(scene, gap).reason, Reason::discontinuous);
+  EXPECT_EQ(exactly(cube(), gap).reason, Reason::discontinuous);
   Trajectory jump = t;
   jump.segments[1].duration = 3;
-  EXPECT_EQ(exactly(scene, jump).reason, Reason::discontinuous);
-  EXPECT_EQ(exactly(scene, arc({0, 48, 0}, {3, 0, 0})).reason, Reason::bounds);
+  EXPECT_EQ(exactly(cube(), jump).reason, Reason::discontinuous);
+  EXPECT_EQ(exactly(cube(), arc({0, 48, 0}, {3, 0, 0})).reason, Reason::bounds);
   t.segments[0].duration = 0;
-  EXPECT_EQ(exactly(scene, t).reason, Reason::duration);
-  EXPECT_EQ(exactly(scene, Trajectory{}).reason, Reason::duration);
+  EXPECT_EQ(exactly(cube(), t).reason, Reason::duration);
+  EXPECT_EQ(exactly(cube(), Trajectory{}).reason, Reason::duration);
 }
 
 TEST(ExactCheckOfPaths, DecidesEveryLeg) {
@@ -163,14 +157,13 @@ TEST(ExactCheckOfPaths, DecidesEveryLeg) {
 }
 
 TEST(ExactCheckOfPaths, TouchesAnEdgeButNotItsNeighbour) {
-  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
   const auto passing = [&](double y) {  // the grown box has an edge at (1.5, 1.5)
     const std::vector<Vec3> path{{0, y, 0}, {y, 0, 0}};
-    return check_exactly({scene.map(), scene.vehicle(), 0, {}}, path);
+    return check_exactly({cube().map(), cube().vehicle(), 0, {}}, path);
   };
   EXPECT_EQ(passing(3).reason, Reason::collision);
   EXPECT_TRUE(passing(std::nextafter(3, 4)).ok);
-  EXPECT_EQ(check_exactly({scene.map(), scene.vehicle(), 0, {}}, std::span<const Vec3>()).reason,
+  EXPECT_EQ(check_exactly({cube().map(), cube().vehicle(), 0, {}}, std::span<const Vec3>()).reason,
             Reason::no_path);
 }
 
@@ -185,9 +178,9 @@ TEST(ExactCheckOfPaths, MayTouchTheBoundsAndBeOnePoint) {
 }
 
 TEST(ExactCheck, FollowsACurveThatStandsStill) {
-  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
   const auto still = [&](double x) {
-    return exactly(scene, {{hermite(rest({x, 0, 0}), rest({x, 0, 0}), 2)}}, {{Limit::speed, 1e-9}});
+    return exactly(cube(), {{hermite(rest({x, 0, 0}), rest({x, 0, 0}), 2)}},
+                   {{Limit::speed, 1e-9}});
   };
   EXPECT_TRUE(still(std::nextafter(1.5, 2)).ok);
   EXPECT_EQ(still(1.5).reason, Reason::collision);
@@ -195,11 +188,10 @@ TEST(ExactCheck, FollowsACurveThatStandsStill) {
 }
 
 TEST(CertificateRecord, ListsPiecesAndPlanes) {
-  const CollisionScene scene(one_box(), {"box", {0.5, 0.5, 0.5}}, 0);
   const std::vector<Vec3> path{{0, 4, 0}, {4, 0, 0}};
-  const ExactResult proof = check_exactly({scene.map(), scene.vehicle(), 0, {}}, path);
+  const ExactResult proof = check_exactly({cube().map(), cube().vehicle(), 0, {}}, path);
   const std::string line =
-      to_json_line(CertificateRecord{"a", "path", proof, scene.map().spec().bounds, {}, {}});
+      to_json_line(CertificateRecord{"a", "path", proof, cube().map().spec().bounds, {}, {}});
   EXPECT_EQ(
       line,
       "{\"type\":\"certificate\",\"id\":\"a\",\"of\":\"path\",\"bounds\":[[-50,-50,-50],"
