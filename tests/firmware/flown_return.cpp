@@ -3,31 +3,14 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 
 #include "geom/shape/hull.h"
 #include "geom/text/text_table.h"
-#include "traj/mission/firmware/autopilot_settings.h"
 #include "traj/mission/formats/flier.h"
 
 namespace firmware {
 namespace {
-
-// The autopilot with the settings of a row, and the drag of its airframe.
-traj::Autopilot autopilot_of(const std::string& word, std::string settings,
-                             std::optional<double> drag, const std::string& source) {
-  std::vector<traj::Autopilot> asked = traj::autopilots_of(word).value();
-  std::replace(settings.begin(), settings.end(), ' ', '\n');
-  std::replace(settings.begin(), settings.end(), '=', ' ');
-  traj::Autopilot out = asked.front();
-  if (!settings.empty()) {
-    std::istringstream in(settings);
-    out = traj::set_autopilot(traj::read_autopilot_settings(in, source), asked, source).autopilot;
-  }
-  if (drag) traj::set_drag(out, *drag);
-  return out;
-}
 
 // Smaller than `finest` metres, and near enough to the place.
 void add_parts(const traj::FlightStage& stage, const geom::Aabb& place, double finest,

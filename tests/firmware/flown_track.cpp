@@ -7,8 +7,11 @@
 #include <stdexcept>
 
 #include "geom/map/geographic_frame.h"
+#include "geom/map/ground_model.h"
+#include "geom/shape/aabb.h"
 #include "geom/shape/hull.h"
 #include "geom/text/text_table.h"
+#include "traj/mission/firmware/autopilot_settings.h"
 #include "traj/mission/formats/qgc_plan.h"
 #include "traj/mission/formats/wpl.h"
 
@@ -41,13 +44,73 @@ double from_way(const traj::FlownMission& mission, const Vec3& p) {
   return least;
 }
 
-// A simulator's ground is flat: what lands on a roof sinks on through it.
+// Whether a box of these half sides around the place is apart from the hull's bounds.
+bool away(const std::vector<Vec3>& hull, const Vec3& place, const Vec3& half) {
+  const geom::Aabb box = *geom::bounds(hull);
+  return ((place + half).array() < box.min.array()).any() ||
+         ((place - half).array() > box.max.array()).any();
+}
+
+// A simulator's ground is flat, or as high as the autopilot's terrain: what lands elsewhere sinks
+// on through the ground of the claim.
 bool is_below_roof(const traj::FlownMission& mission, const Vec3& p) {
-  if (!mission.ends.landing_on || *mission.ends.landing_on < 1) return false;
+  if (!mission.ends.landing_on) return false;
+  if (!mission.terrain && *mission.ends.landing_on < 1) return false;
   return p.z() < *mission.ends.landing_on && (p - mission.path.back()).head<2>().norm() < 1;
 }
 
+// The ground of a file of terrain.py, above that at home: 0, 0.
+std::shared_ptr<const geom::GroundModel> read_grid(const std::string& path) {
+  std::ifstream in(path);
+  std::string word;
+  std::size_t columns = 0;
+  std::size_t rows = 0;
+  geom::GroundGridSpec spec;
+  in >> word >> columns >> word >> rows >> word >> spec.corner.x() >> word >> spec.corner.y() >>
+      word >> spec.cell;
+  std::vector<double> heights(columns * rows);
+  for (std::size_t j = rows; j-- > 0;) {
+    for (std::size_t i = 0; i < columns; ++i) in >> heights[j * columns + i];
+  }
+  if (!in || columns < 2 || rows < 2) throw std::runtime_error("no ground " + path);
+  const auto at = [&](std::size_t i, std::size_t j) { return heights[j * columns + i]; };
+  const Vec3 home(-spec.corner.x() / spec.cell, -spec.corner.y() / spec.cell, 0);
+  if (home.x() != std::floor(home.x()) || home.y() != std::floor(home.y())) {
+    throw std::runtime_error("home is no point of the ground " + path);
+  }
+  const double zero =
+      at(static_cast<std::size_t>(home.x()), static_cast<std::size_t>(home.y()));
+  spec.columns = columns - 1;
+  spec.rows = rows - 1;
+  spec.hash = path;
+  std::vector<double> low;
+  std::vector<double> high;
+  for (std::size_t j = 0; j + 1 < rows; ++j) {
+    for (std::size_t i = 0; i + 1 < columns; ++i) {
+      const auto [least, most] =
+          std::minmax({at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)});
+      low.push_back(least - zero);
+      high.push_back(most - zero);
+    }
+  }
+  return std::make_shared<geom::GroundModel>(spec, std::move(low), std::move(high));
+}
+
 }  // namespace
+
+traj::Autopilot autopilot_of(const std::string& word, std::string settings,
+                             std::optional<double> drag, const std::string& source) {
+  std::vector<traj::Autopilot> asked = traj::autopilots_of(word).value();
+  std::replace(settings.begin(), settings.end(), ' ', '\n');
+  std::replace(settings.begin(), settings.end(), '=', ' ');
+  traj::Autopilot out = asked.front();
+  if (!settings.empty()) {
+    std::istringstream in(settings);
+    out = traj::set_autopilot(traj::read_autopilot_settings(in, source), asked, source).autopilot;
+  }
+  if (drag) traj::set_drag(out, *drag);
+  return out;
+}
 
 std::vector<Flight> read_flights(const std::string& table) {
   std::ifstream in(table);
@@ -58,10 +121,11 @@ std::vector<Flight> read_flights(const std::string& table) {
   geom::TextLines lines(in, table);
   for (lines.next(); lines.next();) {
     const std::vector<std::string> f = geom::split_fields(lines.line());
-    if (f.size() != 8) lines.refuse({.expected = "8 fields"});
+    if (f.size() != 11) lines.refuse({.expected = "11 fields"});
     out.push_back({std::filesystem::path(f[0]).stem().string(), (folder / f[0]).string(),
                    (folder / f[1]).string(), f[2], number(f[3]), number(f[4]),
-                   number(f[5]).value_or(0), number(f[6]).value_or(0), number(f[7])});
+                   number(f[5]).value_or(0), number(f[6]).value_or(0), number(f[7]),
+                   f[8].empty() ? "" : (folder / f[8]).string(), number(f[9]).value_or(0), f[10]});
   }
   return out;
 }
@@ -72,16 +136,26 @@ Replay replay(const Flight& flight) {
   for (traj::Autopilot& one : rules.autopilots) {
     if (flight.drag) traj::set_drag(one, *flight.drag);
   }
+  if (!flight.settings.empty()) {
+    rules.autopilots = {
+        autopilot_of(flight.autopilot, flight.settings, flight.drag, flight.track)};
+  }
   rules.acceptance = flight.acceptance;
   rules.return_height = flight.return_height;
   return replay(flight, rules);
 }
 
-Replay replay(const Flight& flight, const traj::MissionRules& rules) {
+Replay replay(const Flight& flight, const traj::MissionRules& asked) {
+  traj::MissionRules rules = asked;
+  std::shared_ptr<const geom::GroundModel> ground;
+  if (!flight.ground.empty()) {
+    ground = read_grid(flight.ground);
+    rules.terrain = {ground.get(), geom::Axes::enu, flight.terrain_error};
+  }
   traj::Mission mission = read_mission(flight.mission);
   const traj::MissionFrame frame{
       {mission.home->latitude, mission.home->longitude, mission.home->height}, 0};
-  Replay out{traj::flown_mission(mission, frame, rules, flight.mission), {}};
+  Replay out{traj::flown_mission(mission, frame, rules, flight.mission), {}, ground};
   const geom::GeographicFrame earth(frame.origin);
   std::ifstream in(flight.track);
   if (!in) throw std::runtime_error("no track " + flight.track);
@@ -103,6 +177,7 @@ double outside(const Flight& flight, const Replay& replay, const Vec3& place, do
   for (const traj::Drift& drift : replay.mission.drift) {
     const Vec3 pad = around(flight, drift);
     for (const traj::Sweep& sweep : drift.sweeps) {
+      if (away(sweep.hull, place, pad + Vec3::Constant(best))) continue;
       const auto meets = [&](double more) {
         const Vec3 box = pad + Vec3::Constant(more);
         return geom::hull_meets(sweep.hull, {place - box, place + box}).has_value();
@@ -117,6 +192,25 @@ double outside(const Flight& flight, const Replay& replay, const Vec3& place, do
     }
   }
   return best;
+}
+
+double claimed_height(const Flight& flight, const Replay& replay, const Vec3& place) {
+  constexpr double kAny = 1e5;  // m
+  double low = kAny;
+  double high = -kAny;
+  for (const traj::Drift& drift : replay.mission.drift) {
+    const Vec3 pad = around(flight, drift);
+    const Vec3 column(pad.x(), pad.y(), kAny);
+    for (const traj::Sweep& sweep : drift.sweeps) {
+      if (away(sweep.hull, place, column)) continue;
+      if (!geom::hull_meets(sweep.hull, {place - column, place + column})) continue;
+      for (const Vec3& p : sweep.hull) {
+        low = std::min(low, p.z() - pad.z());
+        high = std::max(high, p.z() + pad.z());
+      }
+    }
+  }
+  return std::max(0.0, high - low);
 }
 
 std::vector<CornerWidth> corner_widths(const Flight& flight, const Replay& replay) {

@@ -2,6 +2,7 @@
 
 // Tracks that real autopilots flew, beside what Skyway says of their missions.
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,11 +25,18 @@ struct Flight {
   double navigation_across = 0;
   double navigation_vertical = 0;
   std::optional<double> drag;  // over the mass, 1/s
+  std::string ground;          // file of the ground (terrain.py); empty: flat
+  double terrain_error = 0;
+  std::string settings;  // the autopilot's parameters, NAME=VALUE with spaces between
 };
 
 // A table with a header: track,mission,autopilot,acceptance,return_height,navigation_across,
-// navigation_vertical,drag; files beside the table; empty: not set.
+// navigation_vertical,drag,ground,terrain_error,settings; files beside the table; empty: not set.
 std::vector<Flight> read_flights(const std::string& table);
+
+// The autopilot of that word, with the settings of a row and the drag of its airframe.
+traj::Autopilot autopilot_of(const std::string& word, std::string settings,
+                             std::optional<double> drag, const std::string& source);
 
 struct Sample {
   double time = 0;  // s
@@ -39,6 +47,7 @@ struct Sample {
 struct Replay {
   traj::FlownMavlink mission;
   std::vector<Sample> samples;
+  std::shared_ptr<const geom::GroundModel> ground;  // of a mission above terrain
 };
 Replay replay(const Flight& flight);
 // By these rules, whatever the flight's autopilot and settings.
@@ -55,6 +64,9 @@ struct CornerWidth {
   double track = 0;  // m
 };
 std::vector<CornerWidth> corner_widths(const Flight& flight, const Replay& replay);
+
+// Over a place: from the lowest to the highest of what is claimed, metres.
+double claimed_height(const Flight& flight, const Replay& replay, const Vec3& place);
 
 // What judge() takes.
 traj::Flown flown(const Flight& flight, const Replay& replay);

@@ -27,6 +27,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import logs
 import mavlink
 import missions
+import terrain
 
 NAN = math.nan
 ARMED_FLAG = 128
@@ -60,6 +61,7 @@ class Firmware:
         self.process = self.link = None
         self.ekf_flags, self.starved = 0, False
         self.ordered = False  # whether --return-at was obeyed already
+        self.posts = terrain.Posts(terrain.read(options.terrain), home, *options.terrain_error) if options.terrain else None
         self.lock, self.instance = self._instance()
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix=f"fly-{options.firmware}-"))
 
@@ -139,6 +141,9 @@ class Firmware:
             if self.int_params_bytewise and m.param_type in INTEGER_TYPES:
                 value = struct.unpack_from(INTEGER_TYPES[m.param_type][:2], struct.pack("<f", value))[0]
             self.values[name] = (value, m.param_type, m.param_index, m.param_count)
+        elif m.name == "TERRAIN_REQUEST" and self.posts:
+            for answer in self.posts.answers(m):
+                self.link.send("TERRAIN_DATA", **answer)
         elif m.name == "STATUSTEXT":
             text = m.text.rstrip(b"\0").decode(errors="replace").strip()
             self.texts.append((self.clock, m.severity, text))
@@ -507,6 +512,8 @@ class ArduCopter(Firmware):
         self.stream("SYS_STATUS", 5)
         self.stream("MISSION_CURRENT", 5)
         self.stream("EKF_STATUS_REPORT", 5)
+        if self.posts:
+            self.stream("TERRAIN_REQUEST", 5)
         self.command(CMD_REQUEST_MESSAGE, 148)
         for name, value in params.items():
             self.set_param(name, value)
@@ -636,6 +643,8 @@ def fly(options):
     home = options.home or mission.home
     if home is None:
         raise FlightError(f"{options.mission}: the mission has no planned home position. Give one with --home.")
+    if options.terrain and options.firmware != "arducopter":
+        raise FlightError("--terrain is for ArduCopter: PX4 loads no mission with heights above terrain.")
     firmware = {"px4": Px4, "arducopter": ArduCopter}[options.firmware](options, home)
     kept = False
     try:
@@ -709,6 +718,14 @@ def _assignment(text):
     return name, float(value)
 
 
+def _terrain_error(text):
+    metres, _, rest = text.partition(",")
+    how, _, seed = rest.partition(",")
+    if how not in terrain.ERRORS:
+        raise argparse.ArgumentTypeError(f"{text}: expected METRES, then one of {', '.join(terrain.ERRORS)}")
+    return float(metres), how, int(seed or 0)
+
+
 def _order(text):
     seconds, _, action = text.partition(",")
     if action not in ("", "rtl", "land", "hold"):
@@ -727,6 +744,9 @@ def parser():
                    help="scale of the sensors' noise, 1 as the firmware has it (default: PX4 0.1, ArduCopter 0)")
     p.add_argument("--wind", type=_numbers(2), metavar="SPEED,FROM", help="m/s, and the degrees it blows from")
     p.add_argument("--speedup", type=float, default=10, metavar="N", help="at most N simulated seconds a second (10)")
+    p.add_argument("--terrain", metavar="GRID.asc", help="the ground, metres above the sea (terrain.py); ArduCopter alone")
+    p.add_argument("--terrain-error", type=_terrain_error, default=(), metavar="METRES,HOW[,SEED]",
+                   help=f"of the terrain that the autopilot gets; HOW: {', '.join(terrain.ERRORS)}")
     p.add_argument("--home", type=_numbers(3), metavar="LAT,LON,ALT", help="instead of the mission's")
     p.add_argument("--timeout", type=float, default=1200, metavar="SECONDS", help="of simulated time, from arming (1200)")
     p.add_argument("--return-at", type=_order, metavar="SECONDS[,ACTION]",

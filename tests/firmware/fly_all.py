@@ -55,12 +55,12 @@ def table(options, rest):
     across, vertical = options.navigation.split(",")
     path = options.outdir / "flights.csv"
     with open(path, "w") as out:
-        out.write("track,mission,autopilot,acceptance,return_height,navigation_across,navigation_vertical,drag\n")
+        out.write("track,mission,autopilot,acceptance,return_height,navigation_across,navigation_vertical,drag,ground,terrain_error,settings\n")
         for mission in options.missions:
             if not (options.outdir / f"{mission.stem}.csv").exists():
                 continue
             fields = [f"{mission.stem}.csv", str(mission.resolve()), autopilot, value_set(rest, "NAV_ACC_RAD"),
-                      options.return_height or value_set(rest, "RTL_RETURN_ALT"), across, vertical, drag(options, rest)]
+                      options.return_height or value_set(rest, "RTL_RETURN_ALT"), across, vertical, drag(options, rest), "", "", ""]
             out.write(",".join(fields) + "\n")
     return path
 

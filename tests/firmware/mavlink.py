@@ -1,4 +1,4 @@
-"""MAVLink 2, as much of it as a flight needs: framing, checksum, 27 messages, and a link over UDP or TCP."""
+"""MAVLink 2, as much of it as a flight needs: framing, checksum, 29 messages, and a link over UDP or TCP."""
 
 import select
 import socket
@@ -41,6 +41,8 @@ MESSAGES = {
     "HIL_STATE_QUATERNION": (115, 4, "time_usec:Q attitude_quaternion:4f rollspeed:f pitchspeed:f yawspeed:f lat:i "
                                      "lon:i alt:i vx:h vy:h vz:h ind_airspeed:H true_airspeed:H xacc:h yacc:h "
                                      "zacc:h"),
+    "TERRAIN_REQUEST": (133, 6, "mask:Q lat:i lon:i grid_spacing:H"),
+    "TERRAIN_DATA": (134, 229, "lat:i lon:i grid_spacing:H data:16h gridbit:B"),
     "AUTOPILOT_VERSION": (148, 178, "capabilities:Q uid:Q flight_sw_version:I middleware_sw_version:I "
                                     "os_sw_version:I board_version:I vendor_id:H product_id:H "
                                     "flight_custom_version:8s middleware_custom_version:8s os_custom_version:8s "
@@ -68,7 +70,10 @@ class _Layout:
             value = values.pop(field, b"" if code.endswith("s") else 0)
             if isinstance(value, str):
                 value = value.encode()
-            flat.append(value)
+            if isinstance(value, (list, tuple)):
+                flat += value
+            else:
+                flat.append(value)
         if values:
             raise TypeError(f"{self.name} has no field {', '.join(values)}")
         return self.struct.pack(*flat)
