@@ -64,7 +64,8 @@ class Flight:
 
 
 def made(seed, kind, ends, narrow=False):
-    """`narrow`: posts are near to one another, and off by a metre at most. `ends`: land, land_home_frame, land_here, return or return_terrain."""
+    """`narrow`: posts are near to one another, and off by a metre at most. `ends`: land, land_here, return; not claimed:
+    land_home_frame, return_terrain."""
     chance = random.Random(f"{kind} {ends} {seed}")
     home = chance.choice(HOMES)
     ground = made_ground(chance, kind)
@@ -137,7 +138,7 @@ def main():
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--count", type=int, default=10)
     parser.add_argument("--kind", choices=KINDS, help="of all grounds (default: each in its turn)")
-    parser.add_argument("--ends", help="of all missions (default: each of land, land_home_frame, land_here and return in its turn)")
+    parser.add_argument("--ends", help="of all missions (default: each of land, land_here and return in its turn)")
     parser.add_argument("--narrow", action="store_true", help="close posts without an error, which make the claim narrow")
     parser.add_argument("--navigation", default="0,0", help="metres across, and up or down, as skyway-check takes them (0,0)")
     parser.add_argument("-j", "--jobs", type=int, default=2, help="flights at once (2)")
@@ -145,7 +146,7 @@ def main():
     at = sys.argv.index("--") if "--" in sys.argv else len(sys.argv)
     options, rest = parser.parse_args(sys.argv[1:at]), sys.argv[at + 1 :]
     options.outdir.mkdir(parents=True, exist_ok=True)
-    ends = (options.ends,) if options.ends else ("land", "return", "land_here", "land_home_frame", "return")
+    ends = (options.ends,) if options.ends else ("land", "return", "land_here", "land", "return")
     flights = [made(1000 * options.seed + k, options.kind or KINDS[k % len(KINDS)], ends[k % len(ends)], options.narrow)
                for k in range(options.count)]
     rows = []

@@ -297,8 +297,10 @@ void take_terrain(const AutopilotSettings& settings, std::string_view source, Au
       std::any_of(settings.values.begin(), settings.values.end(), [](const auto& one) {
         return one.first.starts_with("RNGFND") && one.first.ends_with("_TYPE") && one.second != 0;
       });
-  out.follows_terrain =
-      value("TERRAIN_ENABLE", 1, 0, 1) != 0 && !(has_rangefinder && uses_rangefinder != 0);
+  // Without its adjustment the terrain counts from the sea, not from where the vehicle armed.
+  const bool adjusts = value("TERRAIN_OFS_MAX", 30, 0, 50) > 0;
+  out.follows_terrain = value("TERRAIN_ENABLE", 1, 0, 1) != 0 && adjusts &&
+                        !(has_rangefinder && uses_rangefinder != 0);
 }
 
 // The autopilot of that firmware: the one asked for, or of the file's version.

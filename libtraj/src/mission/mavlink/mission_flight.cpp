@@ -60,7 +60,11 @@ class Flight {
     say_home();
     finish_track();
     add_fences();
-    if (over_terrain_) return raised_over_terrain(std::move(flown_), rules_, source_);
+    if (over_terrain_) {
+      const double latitude =
+          mission_.home ? mission_.home->latitude : frame_.origin.latitude;
+      return raised_over_terrain(std::move(flown_), rules_, latitude, source_);
+    }
     return std::move(flown_);
   }
 

@@ -13,18 +13,41 @@ namespace {
 
 // The grid's metres are those of a sphere, and its rows and columns are not quite along our axes.
 constexpr double kSureReach = 1.03;
-constexpr double kRoom = 1;        // m: places travel rounded, and vehicles stray
+constexpr double kRoom = 2;        // m: places travel rounded, and vehicles stray
 constexpr double kWholeMetre = 1;  // m: posts are whole metres, rounded or cut
+// m that TERRAIN_OFS_MAX may cut off before the autopilot says so (AP_Terrain::update_reference_offset)
+constexpr double kUnsaid = 0.5;
+
+// How far along a row, in spacings, a post may be from where its height was taken. The autopilot
+// counts columns from the corner of a whole degree, with the length of a degree of longitude half
+// way to the place (AP_Terrain::calculate_grid_info), up to 0.5 degrees off. A ground station counts
+// them from the corner of a block of 28 rows and 32 columns, with the length at that corner.
+double misplaced(double latitude) {
+  constexpr double kHalfDegree = 0.0087267;  // rad
+  constexpr double kAcross = 31;             // columns from the block's corner
+  constexpr double kDegree = 111320;         // m: of longitude, at the equator
+  constexpr double kRadius = 6356752;        // m: of the Earth, at least
+  constexpr double kUp = 27;                 // rows from the block's corner
+  constexpr double kHighest = 85;            // degrees, where few fly
+  const double angle = std::min(std::abs(latitude) + 0.6, kHighest) * 0.0174532925199433;
+  const double turn = std::tan(angle) * kHalfDegree;
+  return kAcross * turn / (1 - turn) + kUp * 0.5 * kDegree / kRadius * std::sin(angle);
+}
 
 }  // namespace
 
 TerrainDifference::TerrainDifference(const TerrainRules& rules, const geom::Vec2& home,
-                                     double spacing, double reach, std::string_view source)
-    : rules_(rules), home_(home), spacing_(spacing), reach_(reach), source_(source) {
+                                     double latitude, double spacing, double reach,
+                                     std::string_view source)
+    : rules_(rules),
+      home_(home),
+      spacing_(spacing * (1 + misplaced(latitude))),
+      reach_(spacing_ + reach),
+      source_(source) {
   rules_.error += kWholeMetre;
   at_home_ = ground({home, home}, spacing_);
-  const geom::GroundRange around = ground({home, home}, 2 * spacing_);
-  slope_ = (around.high - around.low + 2 * rules_.error) / spacing_;
+  const geom::GroundRange around = ground({home, home}, spacing_ + spacing);
+  slope_ = (around.high - around.low + 2 * rules_.error) / spacing;
 }
 
 geom::GroundRange TerrainDifference::ground(const geom::Rectangle& region, double around) const {
@@ -54,12 +77,12 @@ double TerrainDifference::furthest(const geom::Rectangle& region) const {
 
 TerrainRange TerrainDifference::over(const geom::Rectangle& region) const {
   const geom::GroundRange here = ground(region, reach_);
-  const double off = geom::add_up(rules_.error, rules_.error);
+  const double off = geom::add_up(geom::add_up(rules_.error, rules_.error), kUnsaid);
   TerrainRange out{geom::add_down(geom::add_down(here.low, -at_home_.high), -off),
                    geom::add_up(geom::add_up(here.high, -at_home_.low), off)};
   const double away = furthest(region);
   if (away <= spacing_) {
-    const double most = away == 0 ? 0 : slope_ * away * (1 + 1e-12);
+    const double most = kUnsaid + slope_ * away * (1 + 1e-12);
     out.low = std::max(out.low, -most);
     out.high = std::min(out.high, most);
   }

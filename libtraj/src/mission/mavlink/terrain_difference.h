@@ -20,16 +20,16 @@ struct TerrainRange {
   bool operator==(const TerrainRange&) const = default;
 };
 
-// ArduPilot's AP_Terrain::height_terrain_difference_home: its terrain at a place less its terrain
-// at home. Each of the two is interpolated between posts that are up to `spacing` metres away along
-// each axis.
+// ArduPilot's AP_Terrain::height_above_terrain: its terrain at a place less its terrain where it
+// armed. Each of the two is interpolated between posts that are up to `spacing` metres away along
+// each axis, and whose heights may be of places that are further away.
 class TerrainDifference {
  public:
-  // `home` and all regions are east and north. `reach`: metres around a place whose terrain counts
-  // there, at least the spacing. Throws geom::InputError(source, …) where the model does not know
-  // the ground around home.
-  TerrainDifference(const TerrainRules& rules, const geom::Vec2& home, double spacing, double reach,
-                    std::string_view source);
+  // `home` and all regions are east and north; `latitude` is home's, in degrees. `reach`: metres
+  // around a place whose terrain counts there, beside the posts around it. Throws
+  // geom::InputError(source, …) where the model does not know the ground around home.
+  TerrainDifference(const TerrainRules& rules, const geom::Vec2& home, double latitude,
+                    double spacing, double reach, std::string_view source);
 
   // Over all of a closed region. Throws geom::InputError(source, …) where the model does not know
   // the ground there and around it.
@@ -43,7 +43,7 @@ class TerrainDifference {
 
   TerrainRules rules_;
   geom::Vec2 home_;
-  double spacing_;
+  double spacing_;  // to the place whose height a post has
   double reach_;
   std::string source_;
   geom::GroundRange at_home_;

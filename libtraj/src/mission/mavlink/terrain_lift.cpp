@@ -39,6 +39,13 @@ void require_told(const MissionItem& item, std::string_view source) {
                  .found = fmt::format("command {}", item.command),
                  .advice = "these count from home"});
   }
+  if (item.command == kLand && !MissionPlaces::is_here(item) && !counts_from_terrain(item)) {
+    refuse_item(source, item,
+                {.expected = "a landing's place with a height above terrain (frame 10)",
+                 .found = fmt::format("frame {}", item.frame),
+                 .advice = "an autopilot flies there at one height above home, whatever the "
+                           "terrain"});
+  }
   if (!sets_height(item)) return;
   if (!counts_from_terrain(item)) {
     refuse_item(source, item,
@@ -56,19 +63,20 @@ void require_told(const MissionItem& item, std::string_view source) {
 // terrain is known.
 class Raising {
  public:
-  Raising(FlownMavlink flat, const MissionRules& rules, std::string_view source)
+  Raising(FlownMavlink flat, const MissionRules& rules, double latitude, std::string_view source)
       : flown_(std::move(flat)), rules_(*rules.terrain) {
     double reach = 0;
     for (const Autopilot& one : rules.autopilots) {
       claim_.spacing = std::max(claim_.spacing, one.terrain_spacing);
       claim_.lag = std::max(claim_.lag, one.terrain_lag);
+      arrival_ = std::max(arrival_, one.acceptance);
     }
     for (std::size_t i = 0; i < rules.autopilots.size(); ++i) {
       const double speed = std::max(rules.autopilots[i].speed, flown_.drift[i].speed);
       reach = std::max(reach, s_curve_length(rules.autopilots[i], speed) + kReaction * speed);
     }
     const Vec2 home = flown_.home->head<2>();
-    difference_.emplace(rules_, home, claim_.spacing, claim_.spacing + reach, source);
+    difference_.emplace(rules_, home, latitude, claim_.spacing, reach, source);
     find_return(rules.autopilots);
     claim_.error = rules_.error;
     claim_.model = rules_.ground->is_flat() ? "flat" : rules_.ground->spec().hash;
@@ -80,6 +88,7 @@ class Raising {
     std::vector<std::vector<SweepPiece>> drifts;
     for (const Drift& drift : flown_.drift) drifts.push_back(cut(drift.sweeps));
     // Now all of the terrain that the vehicle may have been over is known.
+    settle_circles();
     settle_return();
     raise_path(legs);
     set_landing();
@@ -137,10 +146,19 @@ class Raising {
            (part.manoeuvre == Manoeuvre::return_home || part.manoeuvre == Manoeuvre::landing);
   }
 
+  // On a circle it does not slow down for its terrain (AC_Circle::update_cms), and leaves it as high
+  // or low as it is then.
+  void settle_circles() {
+    const bool any =
+        std::any_of(flown_.legs.begin(), flown_.legs.end(),
+                    [](const FlightPart& part) { return part.manoeuvre == Manoeuvre::circle; });
+    if (any) claim_.lag = std::max(claim_.lag, all_.high - all_.low);
+  }
+
   // Where it begins too high for the height at which it returns, nobody knows that height.
   void settle_return() {
     if (!return_) return;
-    return_->terrain = with_lag(return_->terrain);
+    return_->terrain = with_lag(return_->terrain, flown_.legs[return_->begin]);
     if (return_->low + return_->terrain.high + return_->climb > return_->top) flown_.returns = true;
   }
 
@@ -209,17 +227,20 @@ class Raising {
   }
 
   // The vehicle is behind the terrain by no more than the lag, and no higher or lower over the
-  // ground's than all of the terrain on its way.
-  TerrainRange with_lag(const TerrainRange& terrain) const {
-    return {std::max(terrain.low - claim_.lag, all_.low),
-            std::min(terrain.high + claim_.lag, all_.high)};
+  // ground's than all of the terrain on its way. To a landing it goes as high as it was within the
+  // radius of the last waypoint (ModeAuto::shift_alt_to_current_alt).
+  TerrainRange with_lag(const TerrainRange& terrain, const FlightPart& part) const {
+    const double more = part.manoeuvre == Manoeuvre::landing ? arrival_ : 0;
+    return {std::max(terrain.low - claim_.lag, all_.low) - more,
+            std::min(terrain.high + claim_.lag, all_.high) + more};
   }
 
   void raise_path(const std::vector<LegPiece>& legs) {
     const std::size_t count = legs.size();
     std::vector<TerrainRange> bands;
     for (const LegPiece& piece : legs) {
-      bands.push_back(piece.returns ? TerrainRange{} : with_lag(piece.terrain));
+      bands.push_back(piece.returns ? TerrainRange{}
+                                    : with_lag(piece.terrain, flown_.legs[piece.leg]));
     }
     const auto middle = [&](std::size_t vertex) {  // before the piece of that number
       if (vertex == 0 && (flown_.takes_off || count == 0)) return 0.0;
@@ -278,7 +299,8 @@ class Raising {
         continue;
       }
       const bool lands = piece.of->stands_on && piece.of->part.manoeuvre == Manoeuvre::landing;
-      const TerrainRange by = piece.at_home ? piece.terrain : with_lag(piece.terrain);
+      const TerrainRange by =
+          piece.at_home ? piece.terrain : with_lag(piece.terrain, piece.of->part);
       Hull hull = lands ? sunk(piece.hull, by) : raised(piece.hull, by);
       if (piece.of->stands_on && !lands) keep_above(*piece.of->stands_on, hull);
       out.push_back(
@@ -317,7 +339,8 @@ class Raising {
   TerrainRules rules_;
   std::optional<TerrainDifference> difference_;
   TerrainClaim claim_;
-  TerrainRange all_;  // of all the terrain on the way, home's included
+  TerrainRange all_;     // of all the terrain on the way, home's included
+  double arrival_ = 0;  // m: the radius of a waypoint
   std::optional<Return> return_;
   double landing_ = 0;
   double flat_landing_ = 0;  // before it was raised
@@ -335,10 +358,11 @@ bool counts_from_terrain(const Mission& mission, const MissionRules& rules,
     if (one.follows_terrain) continue;
     throw geom::InputError(
         source,
-        {.expected = "an autopilot that follows its terrain (TERRAIN_ENABLE 1, and no rangefinder "
-                     "or WPNAV_RFND_USE 0)",
+        {.expected = "an autopilot that follows its terrain (TERRAIN_ENABLE 1, TERRAIN_OFS_MAX above "
+                     "0, and no rangefinder or WPNAV_RFND_USE 0)",
          .found = "parameters with which it does not",
-         .advice = "over what a rangefinder sees, nobody knows its height"});
+         .advice = "over what a rangefinder sees, or over terrain that counts from the sea, nobody "
+                   "knows its height"});
   }
   if (!mission.home && mission.items.front().command != kTakeoff) {
     throw geom::InputError(source, {.expected = "home or a take-off as its first item, since the "
@@ -351,9 +375,9 @@ bool counts_from_terrain(const Mission& mission, const MissionRules& rules,
   return true;
 }
 
-FlownMavlink raised_over_terrain(FlownMavlink flat, const MissionRules& rules,
+FlownMavlink raised_over_terrain(FlownMavlink flat, const MissionRules& rules, double latitude,
                                  std::string_view source) {
-  return Raising(std::move(flat), rules, source).run();
+  return Raising(std::move(flat), rules, latitude, source).run();
 }
 
 }  // namespace traj

@@ -111,6 +111,8 @@ TEST(AutopilotSettings, SayHowTerrainIsFollowed) {
   EXPECT_EQ(set(any + "TERRAIN_SPACING,30\n").autopilot.terrain_spacing, 30);
   EXPECT_EQ(set(any + "WPNAV_TER_MARGIN,5\n").autopilot.terrain_lag, 5);
   EXPECT_FALSE(set(any + "TERRAIN_ENABLE,0\n").autopilot.follows_terrain);
+  EXPECT_FALSE(set(any + "TERRAIN_OFS_MAX,0\n").autopilot.follows_terrain);
+  EXPECT_TRUE(set(any + "TERRAIN_OFS_MAX,15\n").autopilot.follows_terrain);
   EXPECT_FALSE(set(any + "RNGFND1_TYPE,0\nRNGFND2_TYPE,8\n").autopilot.follows_terrain)
       << "a rangefinder goes before its terrain";
   EXPECT_TRUE(set(any + "RNGFND2_TYPE,8\nWPNAV_RFND_USE,0\n").autopilot.follows_terrain);

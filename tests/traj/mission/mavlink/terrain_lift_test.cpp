@@ -215,7 +215,8 @@ TEST(RaisedOverTerrain, MoreErrorIsAWiderBand) {
 TEST(RaisedOverTerrain, FlatGroundLeavesWhatWholeMetresLeaveOpen) {
   const geom::GroundModel flat = geom::GroundModel::flat(-300);
   const FlownMavlink flown = fly(mission_over(kLoop), flat, 0);
-  EXPECT_NEAR(flown.terrain->band, 4, 1e-9) << "a metre at home, and below";
+  EXPECT_NEAR(flown.terrain->band, 5, 1e-9)
+      << "a metre at home, and below, and half a metre that it does not say";
   EXPECT_NEAR(flown.path[1].z(), kHome + 40, 3) << "home's height counts, not the model's zero";
 }
 
@@ -285,7 +286,7 @@ TEST(RaisedOverTerrain, ReturnsAboveAllHeightsAtWhichItMayBegin) {
 TEST(RaisedOverTerrain, ItsReturnIsNotKnownWhereThatMayBeginHigher) {
   const geom::GroundModel flat = geom::GroundModel::flat(0);
   EXPECT_FALSE(fly(returning(), flat, 0, {.return_height = 48}).returns)
-      << "45 m, and 2 m of posts";
+      << "45 m, and 2.5 m of posts";
   EXPECT_TRUE(fly(returning(), flat, 0, {.return_height = 46}).returns);
   EXPECT_TRUE(fly(returning(), flat, 3, {.return_height = 48}).returns);
   EXPECT_TRUE(fly(returning(), flat, 0).returns) << "nobody says the height";
@@ -335,6 +336,59 @@ TEST(CountsFromTerrain, RefusesWhatCountsFromElsewhereOnTheWay) {
       }),
       "m: expected home or a take-off as its first item, since the autopilot's terrain counts "
       "from home, found neither");
+}
+
+// To a landing that counts from home it would fly at one height, whatever the terrain.
+TEST(CountsFromTerrain, TakesLandingsElsewhereAboveTerrainAlone) {
+  const geom::GroundModel flat = geom::GroundModel::flat(0);
+  Mission mission = mission_over({{0, 0, 40}, {300, 100, 40}, {300, -200, 0}});
+  mission.items.back().command = kLand;
+  EXPECT_EQ(support::refusal_of([&] { fly(mission, flat, 0); }), "");
+  mission.items.back().frame = kGlobalRelative;
+  EXPECT_EQ(support::refusal_of([&] { fly(mission, flat, 0); }),
+            "m: item 3: expected a landing's place with a height above terrain (frame 10), found "
+            "frame 3: an autopilot flies there at one height above home, whatever the terrain");
+  mission.items.back().latitude = mission.items.back().longitude = 0;
+  EXPECT_EQ(support::refusal_of([&] { fly(mission, flat, 0); }), "") << "it lands where it is";
+}
+
+// On a circle it does not slow down for its terrain.
+TEST(RaisedOverTerrain, AMissionWithACircleMayBeBehindByAllOfItsTerrain) {
+  const Hills hills(3);
+  const geom::GroundModel model = hills.model();
+  Mission mission = mission_over({{0, 0, 40}, {300, 100, 40}, {420, -250, 40}});
+  mission.items[1].param[0] = 2;
+  const FlownMavlink straight = fly(mission, model, 0);
+  EXPECT_EQ(straight.terrain->lag, 10);
+  mission.items.back().command = kLoiterTurns;
+  mission.items.back().param[0] = 1;
+  mission.items.back().param[2] = 60;
+  const FlownMavlink round = fly(mission, model, 0);
+  EXPECT_GT(round.terrain->lag, 10);
+  EXPECT_NEAR(round.terrain->lag, round.terrain->band, 1e-9);
+}
+
+// A post's height is of a place that may lie further away, the more so the further from the equator.
+TEST(RaisedOverTerrain, PostsAreFurtherAwayWhereDegreesAreNarrower) {
+  const Hills hills(4);
+  const geom::GroundModel model = hills.model();
+  const auto band_at = [&](double latitude) {
+    const MissionFrame frame{{latitude, 8, 400}, 0};
+    Mission mission = mission_over(kLoop);
+    const geom::GeographicFrame to(frame.origin);
+    for (std::size_t i = 0; i < kLoop.size(); ++i) {
+      const geom::GeodeticPlace place = to.place(kLoop[i]);
+      mission.items[i].latitude = place.latitude;
+      mission.items[i].longitude = place.longitude;
+    }
+    mission.home->latitude = mission.items.front().latitude;
+    mission.home->longitude = mission.items.front().longitude;
+    MissionRules rules;
+    rules.terrain = TerrainRules{&model, geom::Axes::enu, 0};
+    return flown_mission(mission, frame, rules, "m").terrain->band;
+  };
+  EXPECT_LT(band_at(0.5), band_at(47));
+  EXPECT_LT(band_at(-47), band_at(65));
 }
 
 TEST(CountsFromTerrain, IsFalseWithoutSuchHeights) {

@@ -68,7 +68,7 @@ struct Autopilot {
   // Heights above terrain: ArduPilot's alone.
   double terrain_spacing = 0;   // m between the posts of its terrain: TERRAIN_SPACING
   double terrain_lag = 0;       // m that it may be behind: WPNAV_TER_MARGIN
-  bool follows_terrain = true;  // false: TERRAIN_ENABLE is 0, or it follows a rangefinder
+  bool follows_terrain = true;  // false: TERRAIN_ENABLE or _OFS_MAX is 0, or by a rangefinder
 
   // Whether an item's own radius counts, or the parameter alone.
   bool heeds_item_radius = false;
