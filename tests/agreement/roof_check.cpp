@@ -1,9 +1,8 @@
-// roof_check FILE SLACK N [MOVED]: what the boxes of footprints, or of a city model's surfaces,
-// promise. N random points of the surfaces, and as many below them, must lie in boxes, in rational
-// numbers, and for level polygons this is proved for all their points; and of each box there is a
-// proof that it reaches no further than the slack from what its object's surfaces make solid, nor
-// from any surface that the corners may span where they lie in no plane. With MOVED, boxes are
-// moved by so many metres before that, which must be seen.
+// roof_check FILE SLACK N [MOVED]: what the boxes of a city model's surfaces promise. N random
+// points of the surfaces, and as many below them, must lie in boxes, in rational numbers; and of
+// each box there is a proof that it reaches no further than the slack from what its object's
+// surfaces make solid, nor from any surface that the corners may span where they lie in no plane.
+// With MOVED, boxes are moved by so many metres before that, which must be seen.
 
 #include <fmt/format.h>
 
@@ -311,20 +310,16 @@ std::map<std::uint64_t, Object> objects_of(const std::vector<Footprint>& footpri
 struct Tally {
   std::size_t points = 0;
   std::size_t outside = 0;
-  std::size_t below = 0;     // those under them that are outside
-  std::size_t unproved = 0;  // level polygons that are not proved to be covered
+  std::size_t below = 0;  // those under them that are outside
 };
 
 // Points of one object's surfaces, by their areas; at least one of each.
-Tally sample(const Object& object, double slack, double points_a_metre, std::uint64_t seed) {
+Tally sample(const Object& object, double points_a_metre, std::uint64_t seed) {
   const oracle::ExactlyHeld held(object.boxes);
   support::Random random(seed);
   Tally tally;
   for (const Footprint* f : object.surfaces) {
     const Surface surface(*f);
-    if (f->heights.empty()) {
-      tally.unproved += !oracle::exactly_covered(f->polygon, geom::cover(f->polygon, slack));
-    }
     const double count = std::max(1.0, surface.area() * points_a_metre);
     for (double k = random.uniform(0, 1); k < count; ++k) {
       const ExactVec3 p = surface.point(random);
@@ -359,7 +354,7 @@ std::size_t boxes_too_far(const Object& object, double slack, double& plane_erro
 
 int main(int argc, char** argv) {
   if (argc < 3) {
-    fmt::print(stderr, "roof_check FILE SLACK [POINTS [MOVED]]\n");
+    fmt::print(stderr, "roof_check MODEL SLACK [POINTS [MOVED]]\n");
     return 2;
   }
   const double slack = std::atof(argv[2]);
@@ -383,23 +378,20 @@ int main(int argc, char** argv) {
   std::vector<std::size_t> far(all.size());
   std::vector<double> error(all.size());
   geom::parallel_for(all.size(), {2, {}}, [&](std::size_t i) {
-    tallies[i] = sample(*all[i], slack, wanted / area, i + 1);
+    tallies[i] = sample(*all[i], wanted / area, i + 1);
     far[i] = boxes_too_far(*all[i], slack, error[i]);
   });
   Tally sum;
   for (const Tally& t : tallies) {
-    sum = {sum.points + t.points, sum.outside + t.outside, sum.below + t.below,
-           sum.unproved + t.unproved};
+    sum = {sum.points + t.points, sum.outside + t.outside, sum.below + t.below};
   }
   const std::size_t too_far = std::reduce(far.begin(), far.end());
   const double plane_error = *std::max_element(error.begin(), error.end());
   fmt::print("{} objects, {} surfaces ({} not level, uneven by {:.3g} m), {} boxes\n", all.size(),
              footprints.size(), sloping, uneven, table.boxes.size());
-  fmt::print(
-      "of {} points outside the boxes: {}; of as many below them: {}; level polygons not proved to "
-      "be covered: {}\n",
-      sum.points, sum.outside, sum.below, sum.unproved);
+  fmt::print("of {} points outside the boxes: {}; of as many below them: {}\n", sum.points,
+             sum.outside, sum.below);
   fmt::print("boxes beyond the slack of {} m: {}; planes beside their corners by {:.2g} m more\n",
              slack, too_far, plane_error);
-  return sum.outside + sum.below + sum.unproved + too_far > 0 || plane_error > kRounded;
+  return sum.outside + sum.below + too_far > 0 || plane_error > kRounded;
 }

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "geom/base/error.h"
-#include "support/refusal.h"
+#include "support/reading.h"
 
 namespace geom {
 namespace {

@@ -95,7 +95,7 @@ TEST(SampledReport, SaysWhereItTouched) {
   EXPECT_FALSE(says(line, "verdict"));
   const ReportSummary read = parse_report_record(line, "report", 1);
   EXPECT_EQ(read.reason, "collision");
-  EXPECT_EQ(read.box, 0u);
+  EXPECT_EQ(read.box, scene().map().ids()[0]);
   EXPECT_TRUE(read.time && read.place);
 }
 
