@@ -78,8 +78,7 @@ std::shared_ptr<const geom::GroundModel> read_grid(const std::string& path) {
   if (home.x() != std::floor(home.x()) || home.y() != std::floor(home.y())) {
     throw std::runtime_error("home is no point of the ground " + path);
   }
-  const double zero =
-      at(static_cast<std::size_t>(home.x()), static_cast<std::size_t>(home.y()));
+  const double zero = at(static_cast<std::size_t>(home.x()), static_cast<std::size_t>(home.y()));
   spec.columns = columns - 1;
   spec.rows = rows - 1;
   spec.hash = path;
@@ -137,8 +136,7 @@ Replay replay(const Flight& flight) {
     if (flight.drag) traj::set_drag(one, *flight.drag);
   }
   if (!flight.settings.empty()) {
-    rules.autopilots = {
-        autopilot_of(flight.autopilot, flight.settings, flight.drag, flight.track)};
+    rules.autopilots = {autopilot_of(flight.autopilot, flight.settings, flight.drag, flight.track)};
   }
   rules.acceptance = flight.acceptance;
   rules.return_height = flight.return_height;

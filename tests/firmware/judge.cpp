@@ -68,14 +68,16 @@ int main(int argc, char** argv) {
   bool all = true;
   for (const auto& [name, tally] : by_autopilot) {
     all = all && tally.inside == tally.flown;
-    fmt::print("{:<16} {:>6} {:>7} {:>13.2f} {:>12.1f} {:>8.1f}\n", name, tally.flown, tally.inside,
-               tally.furthest, median(tally.ratios),
-               tally.ratios.empty() ? 0 : *std::max_element(tally.ratios.begin(), tally.ratios.end()));
+    fmt::print(
+        "{:<16} {:>6} {:>7} {:>13.2f} {:>12.1f} {:>8.1f}\n", name, tally.flown, tally.inside,
+        tally.furthest, median(tally.ratios),
+        tally.ratios.empty() ? 0 : *std::max_element(tally.ratios.begin(), tally.ratios.end()));
   }
   for (const auto& [name, tally] : by_autopilot) {
     if (tally.heights.empty()) continue;
-    fmt::print("{}, above terrain: the claim is {:.0f} m high in the middle, {:.0f} m at most\n", name,
-               median(tally.heights), *std::max_element(tally.heights.begin(), tally.heights.end()));
+    fmt::print("{}, above terrain: the claim is {:.0f} m high in the middle, {:.0f} m at most\n",
+               name, median(tally.heights),
+               *std::max_element(tally.heights.begin(), tally.heights.end()));
   }
   return all ? 0 : 1;
 }

@@ -23,8 +23,8 @@ inline void require_size(const char* what, double size) {
 }
 
 // The cells or steps of one size (> 0, finite): number k holds from k * size to below (k + 1) *
-// size, as doubles multiply. An index is found from a product, which may be off by one, and then
-// set right.
+// size, as doubles multiply. The product with 1 / size may give an index that is off by one. Then
+// it is corrected.
 class CellIndex {
  public:
   explicit CellIndex(double size) : size_(size), inverse_(1 / size) {}

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kShards = 1024;
 constexpr std::size_t kBlock = std::size_t{1} << 15;  // points that a thread takes at once
-constexpr std::size_t kAhead = 64;  // points: a processor is asked so early for what lies in memory
+constexpr std::size_t kAhead = 64;  // points between the one that is fetched and the one in use
 
 // The shard of a cell: by areas of 32 cells, so that points which are near to each other mostly
 // meet in one, and by a hash of these, so that all shards get about the same number.

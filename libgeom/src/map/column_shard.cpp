@@ -41,8 +41,8 @@ void ColumnShard::add(std::span<const CellSpan> spans, std::int64_t gap) {
   }
 }
 
-// Most columns have one span or two. A span that is near to one of them alone makes that one
-// longer, which stays further than the gap from the other.
+// Most columns have one span or two. If the new span is near to exactly one of them, that one
+// grows. It stays further than the gap from the other.
 void ColumnShard::settle(Column& column, const HeightSpan& span, std::int64_t gap) {
   HeightSpan* known = nullptr;
   if (column.count == 0) {

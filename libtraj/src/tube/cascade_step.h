@@ -69,7 +69,7 @@ struct CascadeStep {
   std::vector<S> upright;        // after 1, 2, ... ms: the cosine of the tilt
   std::vector<PositionRun<S>> runs;
   std::vector<RateRun<S>> turns;  // of each millisecond
-  Triple<S> rates;  // rad/s, that the attitude loop asks for
+  Triple<S> rates;                // rad/s, that the attitude loop asks for
 };
 
 // Second-order terms of the torques become symbols, behind the state's, three a millisecond.

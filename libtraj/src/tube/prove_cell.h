@@ -26,8 +26,9 @@ struct TubeCell {
 inline constexpr double kSlack = 1e-9;
 inline constexpr double kSpinSlack = 1e-7;  // of angular accelerations, which are larger numbers
 
-// A checker of a certificate sums otherwise, and may find so much more than the proof: of radii and
-// tilt, and of what has a limit (motors are fast, and sums of what is fast differ most).
+// A checker of a certificate adds up in another order, so its bounds may be larger by these shares:
+// the first for radii and tilt, the second for limits. Limits are on fast coordinates (motors),
+// whose sums differ most.
 inline constexpr double kCheckersRoom = 1.015;
 inline constexpr double kLimitRoom = 1.05;
 

@@ -24,7 +24,8 @@ class SpanClaims {
   using Bounds = std::vector<double>;
 
   // `least`: room that each coordinate gets beside its share, in the coordinate's unit. `order`:
-  // after so many periods the loops run alike again. What swings in that time is not a change.
+  // after so many periods the loops run alike again. A deviation that only swings within that time
+  // has not changed.
   SpanClaims(Bounds least, std::size_t order) : room_(std::move(least)), order_(order) {}
 
   // Periods that the span in progress should have.

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
 #include "support/random_city.h"
 
 namespace geom {
@@ -11,7 +14,9 @@ TEST(CellIndex, HoldsTheCoordinateAsDoublesMultiply) {
   support::Random random(9);
   for (int i = 0; i < 100000; ++i) {
     const double size = random.uniform(0.05, 3);
-    const double v = random.below(2) ? random.stepped(-1e4, 1e4, size) : random.uniform(-1e6, 1e6);
+    const double edge = (random.below(20001) - 10000) * size;
+    const double v = std::array{edge, std::nextafter(edge, -1e9), std::nextafter(edge, 1e9),
+                                random.uniform(-1e6, 1e6)}[i % 4];
     const CellIndex of(size);
     const auto low = of.floor(v);
     ASSERT_TRUE(low * size <= v && v < (low + 1) * size) << i;

@@ -112,6 +112,10 @@ TEST(CascadeStep, BoundsEveryStep) {
       all_hold(after.runs[n].acceleration, there.runs[n].acceleration);
       all_hold(after.runs[n].lift, there.runs[n].lift);
     }
+    for (std::size_t j = 0; j < there.turns.size(); ++j) {
+      all_hold(after.turns[j].before, there.turns[j].before);
+      all_hold(after.turns[j].spin, there.turns[j].spin);
+    }
   };
   testing::Held held;
   for (int k = 0; k < 200; ++k) {
@@ -123,6 +127,24 @@ TEST(CascadeStep, BoundsEveryStep) {
   }
   EXPECT_EQ(held.outside, 0);
   EXPECT_GT(held.bounded, 200000) << "a bound that is infinite says nothing";
+}
+
+// The controller clips the output, and looks at what it would be with the integral of before.
+TEST(CascadeStep, RunsTheRateLoopWithTheIntegralBeforeAndAfter) {
+  const CascadeLoop loop = loop_of(flight_of("tello"));
+  CascadeState<double> state = testing::numbers<CascadeRows>(cascade_at_rest(1));
+  state.rates = triple(Vec3(0.3, -0.2, 0.1));
+  state.integral = triple(Vec3(1, 2, -3));
+  state.filtered = triple(Vec3(-0.5, 0.4, 0.2));
+  const auto step = cascade_step(loop, state, {.at = std::vector<Reference>(5)});
+  const PidGains& k = loop.gains.rates;
+  const Vec3 error = vector(step.rates) - vector(state.rates);
+  const Vec3 before =
+      k.p.cwiseProduct(error) + vector(state.integral) - k.d.cwiseProduct(vector(state.filtered));
+  ASSERT_EQ(step.turns.size(), 4u);
+  ASSERT_GT(k.i.minCoeff(), 0);
+  EXPECT_LT((vector(step.turns[0].before) - before).norm(), 1e-12);
+  EXPECT_LT((vector(step.turns[0].spin) - before - 1e-3 * k.i.cwiseProduct(error)).norm(), 1e-12);
 }
 
 TEST(CascadeStep, HasNoBoundForAThrustThatMayPointDown) {

@@ -86,12 +86,40 @@ TEST(TubeCertificate, HasRoomForACheckerThatSumsOtherwise) {
     const ProvedTube roomy = with_room(spans);
     ASSERT_EQ(roomy.radius.size(), plain.radius.size());
     for (std::size_t k = 0; k < plain.radius.size(); ++k) {
-      EXPECT_GE(spans.radius[k], plain.radius[k]) << "bounds of spans are not below those of periods";
+      EXPECT_GE(spans.radius[k], plain.radius[k])
+          << "bounds of spans are not below those of periods";
       EXPECT_GE(roomy.radius[k], 1.015 * spans.radius[k]);
       EXPECT_LE(roomy.radius[k], 1.03 * plain.radius[k]);
     }
     EXPECT_EQ(roomy.largest, *std::max_element(roomy.radius.begin(), roomy.radius.end()));
     EXPECT_GT(roomy.tilt, spans.tilt);
+  }
+}
+
+// How far above its hovering command a motor's limit must be for a proof.
+double least_motor_room(ControlLaw law, bool by_spans) {
+  FlightOptions options = quad(law);
+  const ReferenceTrack hover(testing::line({0, 0, 0}, 0.1));
+  const double each = options.quadrotor.mass * 9.80665 / 4;
+  double less = 0;
+  double enough = 0.02;  // N
+  for (int k = 0; k < 11; ++k) {
+    const double room = (less + enough) / 2;
+    options.quadrotor.motor_most = each + room;
+    const bool proved =
+        !prove_tube(hover, options, {.gust_most = 0.2}, {}, {.most_cells = 1, .by_spans = by_spans})
+             .trouble;
+    (proved ? enough : less) = room;
+  }
+  return enough;
+}
+
+TEST(TubeCertificate, LeavesACheckerRoomAtLimits) {
+  for (const ControlLaw law : {ControlLaw::geometric, ControlLaw::cascade}) {
+    const double plain = least_motor_room(law, false);
+    const double spans = least_motor_room(law, true);
+    EXPECT_GT(spans, 1.045 * plain);
+    EXPECT_LT(spans, 1.2 * plain);
   }
 }
 

@@ -61,8 +61,7 @@ class Flight {
     finish_track();
     add_fences();
     if (over_terrain_) {
-      const double latitude =
-          mission_.home ? mission_.home->latitude : frame_.origin.latitude;
+      const double latitude = mission_.home ? mission_.home->latitude : frame_.origin.latitude;
       return raised_over_terrain(std::move(flown_), rules_, latitude, source_);
     }
     return std::move(flown_);

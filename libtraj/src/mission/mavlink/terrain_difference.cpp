@@ -15,21 +15,29 @@ namespace {
 constexpr double kSureReach = 1.03;
 constexpr double kRoom = 2;        // m: places travel rounded, and vehicles stray
 constexpr double kWholeMetre = 1;  // m: posts are whole metres, rounded or cut
-// m that TERRAIN_OFS_MAX may cut off before the autopilot says so (AP_Terrain::update_reference_offset)
+// m that TERRAIN_OFS_MAX may cut off before the autopilot says so
+// (AP_Terrain::update_reference_offset)
 constexpr double kUnsaid = 0.5;
 
 // How far along a row, in spacings, a post may be from where its height was taken. The autopilot
 // counts columns from the corner of a whole degree, with the length of a degree of longitude half
-// way to the place (AP_Terrain::calculate_grid_info), up to 0.5 degrees off. A ground station counts
-// them from the corner of a block of 28 rows and 32 columns, with the length at that corner.
-double misplaced(double latitude) {
+// way to the place (AP_Terrain::calculate_grid_info), up to 0.5 degrees off. A ground station
+// counts them from the corner of a block of 28 rows and 32 columns, with the length at that corner.
+// Near the poles there is no such bound.
+double misplaced(double latitude, std::string_view source) {
   constexpr double kHalfDegree = 0.0087267;  // rad
   constexpr double kAcross = 31;             // columns from the block's corner
   constexpr double kDegree = 111320;         // m: of longitude, at the equator
   constexpr double kRadius = 6356752;        // m: of the Earth, at least
   constexpr double kUp = 27;                 // rows from the block's corner
-  constexpr double kHighest = 85;            // degrees, where few fly
-  const double angle = std::min(std::abs(latitude) + 0.6, kHighest) * 0.0174532925199433;
+  constexpr double kHighest = 84;            // degrees
+  if (!(std::abs(latitude) <= kHighest)) {
+    throw geom::InputError(source,
+                           {.expected = "home within 84 degrees of the equator, since heights "
+                                        "count from terrain",
+                            .found = fmt::format("{} degrees", latitude)});
+  }
+  const double angle = (std::abs(latitude) + 0.6) * 0.0174532925199433;
   const double turn = std::tan(angle) * kHalfDegree;
   return kAcross * turn / (1 - turn) + kUp * 0.5 * kDegree / kRadius * std::sin(angle);
 }
@@ -41,12 +49,13 @@ TerrainDifference::TerrainDifference(const TerrainRules& rules, const geom::Vec2
                                      std::string_view source)
     : rules_(rules),
       home_(home),
-      spacing_(spacing * (1 + misplaced(latitude))),
-      reach_(spacing_ + reach),
+      spacing_(spacing),
+      far_(spacing * (1 + misplaced(latitude, source))),
+      reach_(far_ + reach),
       source_(source) {
   rules_.error += kWholeMetre;
-  at_home_ = ground({home, home}, spacing_);
-  const geom::GroundRange around = ground({home, home}, spacing_ + spacing);
+  at_home_ = ground({home, home}, far_);
+  const geom::GroundRange around = ground({home, home}, spacing + far_);
   slope_ = (around.high - around.low + 2 * rules_.error) / spacing;
 }
 

@@ -27,7 +27,8 @@ class TerrainDifference {
  public:
   // `home` and all regions are east and north; `latitude` is home's, in degrees. `reach`: metres
   // around a place whose terrain counts there, beside the posts around it. Throws
-  // geom::InputError(source, …) where the model does not know the ground around home.
+  // geom::InputError(source, …) where the model does not know the ground around home, and further
+  // than 84 degrees from the equator.
   TerrainDifference(const TerrainRules& rules, const geom::Vec2& home, double latitude,
                     double spacing, double reach, std::string_view source);
 
@@ -43,7 +44,8 @@ class TerrainDifference {
 
   TerrainRules rules_;
   geom::Vec2 home_;
-  double spacing_;  // to the place whose height a post has
+  double spacing_;  // m from a place to the posts around it, along each axis,
+  double far_;      // and to the places whose heights these have
   double reach_;
   std::string source_;
   geom::GroundRange at_home_;

@@ -146,8 +146,8 @@ class Raising {
            (part.manoeuvre == Manoeuvre::return_home || part.manoeuvre == Manoeuvre::landing);
   }
 
-  // On a circle it does not slow down for its terrain (AC_Circle::update_cms), and leaves it as high
-  // or low as it is then.
+  // The vehicle does not slow down for its terrain on a circle (AC_Circle::update_cms). So it may
+  // leave a circle with a height that is behind by all of the terrain.
   void settle_circles() {
     const bool any =
         std::any_of(flown_.legs.begin(), flown_.legs.end(),
@@ -339,7 +339,7 @@ class Raising {
   TerrainRules rules_;
   std::optional<TerrainDifference> difference_;
   TerrainClaim claim_;
-  TerrainRange all_;     // of all the terrain on the way, home's included
+  TerrainRange all_;    // of all the terrain on the way, home's included
   double arrival_ = 0;  // m: the radius of a waypoint
   std::optional<Return> return_;
   double landing_ = 0;
@@ -358,11 +358,12 @@ bool counts_from_terrain(const Mission& mission, const MissionRules& rules,
     if (one.follows_terrain) continue;
     throw geom::InputError(
         source,
-        {.expected = "an autopilot that follows its terrain (TERRAIN_ENABLE 1, TERRAIN_OFS_MAX above "
-                     "0, and no rangefinder or WPNAV_RFND_USE 0)",
+        {.expected =
+             "an autopilot that follows its terrain (TERRAIN_ENABLE 1, TERRAIN_OFS_MAX above "
+             "0, and no rangefinder or WPNAV_RFND_USE 0)",
          .found = "parameters with which it does not",
-         .advice = "over what a rangefinder sees, or over terrain that counts from the sea, nobody "
-                   "knows its height"});
+         .advice = "its height is unknown if it follows a rangefinder, or terrain that counts from "
+                   "the sea"});
   }
   if (!mission.home && mission.items.front().command != kTakeoff) {
     throw geom::InputError(source, {.expected = "home or a take-off as its first item, since the "

@@ -352,6 +352,16 @@ TEST(CountsFromTerrain, TakesLandingsElsewhereAboveTerrainAlone) {
   EXPECT_EQ(support::refusal_of([&] { fly(mission, flat, 0); }), "") << "it lands where it is";
 }
 
+// To a landing it flies as high as it was when it took the last waypoint for reached.
+TEST(RaisedOverTerrain, ALandingElsewhereIsWiderByTheRadiusOfAWaypoint) {
+  const geom::GroundModel flat = geom::GroundModel::flat(0);
+  Mission mission = mission_over({{0, 0, 40}, {300, 100, 40}, {300, -200, 40}});
+  const double band = fly(mission, flat, 0).terrain->band;
+  mission.items.back().command = kLand;
+  mission.items.back().altitude = 0;
+  EXPECT_NEAR(fly(mission, flat, 0).terrain->band, band + 2 * 2, 1e-9) << "WPNAV_RADIUS is 2 m";
+}
+
 // On a circle it does not slow down for its terrain.
 TEST(RaisedOverTerrain, AMissionWithACircleMayBeBehindByAllOfItsTerrain) {
   const Hills hills(3);
@@ -368,7 +378,8 @@ TEST(RaisedOverTerrain, AMissionWithACircleMayBeBehindByAllOfItsTerrain) {
   EXPECT_NEAR(round.terrain->lag, round.terrain->band, 1e-9);
 }
 
-// A post's height is of a place that may lie further away, the more so the further from the equator.
+// A post's height is of a place that may lie further away, the more so the further from the
+// equator.
 TEST(RaisedOverTerrain, PostsAreFurtherAwayWhereDegreesAreNarrower) {
   const Hills hills(4);
   const geom::GroundModel model = hills.model();
@@ -389,6 +400,7 @@ TEST(RaisedOverTerrain, PostsAreFurtherAwayWhereDegreesAreNarrower) {
   };
   EXPECT_LT(band_at(0.5), band_at(47));
   EXPECT_LT(band_at(-47), band_at(65));
+  EXPECT_NE(support::refusal_of([&] { band_at(-84.5); }), "") << "near a pole there is no bound";
 }
 
 TEST(CountsFromTerrain, IsFalseWithoutSuchHeights) {

@@ -66,9 +66,10 @@ struct Autopilot {
   bool returns_home = true;     // false: nobody knows where a return goes (RTL_TYPE, OA_TYPE, ...)
 
   // Heights above terrain: ArduPilot's alone.
-  double terrain_spacing = 0;   // m between the posts of its terrain: TERRAIN_SPACING
-  double terrain_lag = 0;       // m that it may be behind: WPNAV_TER_MARGIN
-  bool follows_terrain = true;  // false: TERRAIN_ENABLE or _OFS_MAX is 0, or by a rangefinder
+  double terrain_spacing = 0;  // m between the posts of its terrain: TERRAIN_SPACING
+  double terrain_lag = 0;      // m that it may be behind: WPNAV_TER_MARGIN
+  // False if TERRAIN_ENABLE or TERRAIN_OFS_MAX is 0, or if a rangefinder is followed.
+  bool follows_terrain = true;
 
   // Whether an item's own radius counts, or the parameter alone.
   bool heeds_item_radius = false;
