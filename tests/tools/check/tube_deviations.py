@@ -15,7 +15,8 @@ JOINED = 5  # periods whose gusts are added up
 AGED = 10  # blocks, then what they did is joined
 OLD = 4  # of those, then it becomes a box
 KEPT = 100  # columns of those that grow old
-RIDGE = 1e-3  # share of the squares that keeps ties small
+RIDGES = (1e-4, 1e-3, 1e-2, 1e-1)  # shares of the squares that keep ties small
+AHEAD = (1, 2, 4, 8, 16)  # so many blocks later columns around others are compared
 LACKS = 8  # row of what the thrust lacks of the lift
 UP = 1 + 1e-12  # above the rounding of sums of thousands of terms of one sign
 
@@ -118,11 +119,11 @@ class Deviations:
         self.gust = np.zeros((self.changing, 3))
         self.gust[rows.gust:rows.gust + 3] = np.eye(3) * (1 - claim.gust_kept(claim.period)) * claim.gust_most * UP
         self.forms = rows_of(claim)
-        self.slow = np.zeros((0, self.changing))
+        self.around = Around(np.zeros((0, self.changing)))
 
     def box_along(self, forms):
         """What is slow, which what is fast soon follows: linear forms that boxes are taken along from now on."""
-        self.slow = forms[:, :self.changing]
+        self.around = Around(forms[:, :self.changing])
 
     def parts(self):
         return self.held, self.now
@@ -193,6 +194,7 @@ class Deviations:
         self.own[-1].intervals[:, -self.changing:] += np.diag(lost[:self.changing])
         self.recent.append(self.own[-1])
         if len(self.recent) > self.law.WHOLE:
+            self.around.look_ahead(through[:self.changing, :self.changing], self.now.sizes())
             self.age(self.recent.pop(0))
 
     def age(self, old):
@@ -207,16 +209,16 @@ class Deviations:
         means = [kind.mean(1, keepdims=True) for kind in kinds]
         rest = [rest, *((kind - middle).reshape(self.changing, -1) for kind, middle in zip(kinds, means))]
         sums = [middle[:, 0] * kind.shape[1] for kind, middle in zip(kinds, means)]
-        around = around_along(self.slow, np.hstack(rest), ROUNDING * old.sizes())
+        around = self.around.columns(np.hstack(rest), ROUNDING * old.sizes())
         self.aged.append(Terms(np.hstack([*sums, around]), balls))
         if len(self.aged) == 2 * AGED:
             terms = Terms.all(self.aged[:AGED])
-            self.old.append(Terms(fewer_along(self.slow, terms.intervals, ROUNDING * terms.sizes()), terms.balls))
+            self.old.append(Terms(self.around.fewer(terms.intervals, ROUNDING * terms.sizes()), terms.balls))
             del self.aged[:AGED]
         if len(self.old) == 2 * OLD:
             oldest = Terms.all([self.tail, *self.old[:OLD]])
             columns = np.hstack([oldest.intervals, oldest.balls])
-            self.tail = Terms(fewer_along(self.slow, columns, np.zeros(self.changing)), self.none)
+            self.tail = Terms(self.around.fewer(columns, np.zeros(self.changing)), self.none)
             del self.old[:OLD]
 
 
@@ -228,20 +230,36 @@ def added_up(balls, count):
     return (mean * count).reshape(states, -1), np.diag(ball_norms((balls - mean).reshape(states, -1)))
 
 
-def fewer_along(forms, columns, more):
-    """The columns that do most to what is slow, and few around the others."""
-    slow = np.abs(forms @ columns)
-    order = np.argsort((slow / np.maximum(slow.sum(1), 1e-300)[:, None]).sum(0))
-    return np.hstack([columns[:, order[-KEPT:]], around_along(forms, columns[:, order[:-KEPT]], more)])
+class Around:
+    """Few columns around many: of what is slow, linear forms, a box to which all is tied, and a box for what that leaves. Any tie is right. The best ties
+    by least squares may be large numbers that nearly cancel, and make a wide box; a ridge makes them smaller. Of some ridges that one is taken whose
+    columns are least in the way after some blocks more like the last one."""
 
+    def __init__(self, forms):
+        self.forms = forms
 
-def around_along(forms, columns, more):
-    """Few columns around many and a box: a box of what is slow, to which all is tied, and a box for what that leaves. Any tie is right. The best
-    ties by least squares may be large numbers that nearly cancel, and make a wide box."""
-    box = np.abs(columns).sum(1)
-    scaled = forms @ columns
-    scaled = scaled / np.maximum(np.abs(scaled).sum(1), 1e-300)[:, None]
-    gram = scaled @ scaled.T
-    ties = np.linalg.solve(gram + np.eye(len(forms)) * (RIDGE * np.trace(gram) + 1e-300), scaled @ columns.T).T
-    rest = np.abs(columns - ties @ scaled).sum(1) + ROUNDING * (box + np.abs(ties) @ np.abs(scaled).sum(1)) + more
-    return np.hstack([ties, np.diag(rest)]) * UP
+    def look_ahead(self, through, sizes):
+        """Of the last block its map, and by how much each row may deviate."""
+        powers = [through]
+        for _ in AHEAD[1:]:
+            powers.append(powers[-1] @ powers[-1])
+        self.ahead = np.vstack([np.eye(len(through)), *powers]) / np.maximum(np.tile(sizes, len(powers) + 1), 1e-300)[:, None]
+
+    def columns(self, columns, more):
+        box = np.abs(columns).sum(1)
+        scaled = self.forms @ columns
+        scaled = scaled / np.maximum(np.abs(scaled).sum(1), 1e-300)[:, None]
+        gram, sizes, before = scaled @ scaled.T, np.abs(scaled).sum(1), np.abs(self.ahead @ columns).sum(1)
+        found = []
+        for ridge in RIDGES:
+            ties = np.linalg.solve(gram + np.eye(len(scaled)) * (ridge * np.trace(gram) + 1e-300), scaled @ columns.T).T
+            rest = np.abs(columns - ties @ scaled).sum(1) + ROUNDING * (box + np.abs(ties) @ sizes) + more
+            around = np.hstack([ties, np.diag(rest)]) * UP
+            found.append((np.max(np.abs(self.ahead @ around).sum(1) - before), len(found), around))
+        return min(found)[2]
+
+    def fewer(self, columns, more):
+        """The columns that do most to what is slow, and few around the others."""
+        slow = np.abs(self.forms @ columns)
+        order = np.argsort((slow / np.maximum(slow.sum(1), 1e-300)[:, None]).sum(0))
+        return np.hstack([columns[:, order[-KEPT:]], self.columns(columns[:, order[:-KEPT]], more)])
