@@ -9,7 +9,6 @@
 #include <array>
 #include <cstdlib>
 #include <map>
-#include <numbers>
 #include <sstream>
 #include <string>
 
@@ -23,7 +22,6 @@
 namespace {
 
 using geom::Aabb;
-using geom::Vec2;
 using geom::Vec3;
 using support::Choice;
 using support::Random;

@@ -10,7 +10,6 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <span>
 #include <stdexcept>

@@ -4,7 +4,6 @@
 // than what rounding loses.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <span>
 

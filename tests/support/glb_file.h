@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
-#include <vector>
 
 #include "geom/archive/bytes.h"
 #include "geom/mesh/triangle_mesh.h"

@@ -2,7 +2,6 @@
 
 // Small LAS files, made byte by byte.
 
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <string>

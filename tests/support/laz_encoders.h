@@ -6,9 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
-#include <map>
-#include <memory>
 
 #include "support/random_city.h"
 #include "support/range_encoder.h"

@@ -5,7 +5,6 @@
 // product must hold, worked out here once more, without the product's regions.
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "support/random_city.h"

@@ -7,7 +7,6 @@
 
 #include "cli/file/files.h"
 #include "cli/option/common.h"
-#include "cli/tell.h"
 #include "traj/submit/check_submission.h"
 
 namespace checking {

@@ -11,7 +11,6 @@
 #include "cli/option/degrees.h"
 #include "cli/option/vehicle_option.h"
 #include "return_options.h"
-#include "traj/mission/export_mission.h"
 #include "traj/together/spacing.h"
 #include "traj/together/timed_flight.h"
 

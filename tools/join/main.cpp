@@ -1,7 +1,5 @@
 // skyway-join: the shards of a run become what one run would have written.
 
-#include <fmt/format.h>
-
 #include "cli/option/output_option.h"
 #include "cli/run.h"
 #include "cli/shard/sharding.h"

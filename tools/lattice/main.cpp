@@ -1,7 +1,5 @@
 // skyway-lattice: the lattice graph of a box map for one vehicle and margin.
 
-#include <fmt/format.h>
-
 #include "cli/file/files.h"
 #include "cli/option/numbers_option.h"
 #include "cli/option/output_option.h"

@@ -7,9 +7,7 @@
 #include <string>
 
 #include "cli/run.h"
-#include "geom/map/ground_model.h"
 #include "geom/map/map_patch.h"
-#include "geom/zone/zone.h"
 
 namespace verbs {
 

@@ -7,7 +7,6 @@
 
 #include "cli/content/contents.h"
 #include "cli/file/files.h"
-#include "cli/option/scenes.h"
 #include "plan/sampling/tree_parts.h"
 #include "traj/record/record_parts.h"
 #include "verbs.h"

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "cli/answer/exit.h"
-#include "cli/option/units.h"
 #include "geom/cloud/draft_cloud.h"
 #include "geom/cloud/las_class.h"
 #include "pybind_draft.h"

@@ -4,9 +4,7 @@
 
 #include <array>
 #include <fstream>
-#include <sstream>
 
-#include "geom/base/usage_error.h"
 #include "geom/text/json_fields.h"
 #include "geom/text/json_line.h"
 #include "plan/planner/plan.h"

@@ -1,7 +1,5 @@
 // Solving and checking.
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <numbers>
 

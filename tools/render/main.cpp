@@ -4,7 +4,6 @@
 
 #include "cli/content/contents.h"
 #include "cli/file/files.h"
-#include "cli/option/scenes.h"
 #include "cli/run.h"
 #include "cli/tell.h"
 #include "geom/base/error.h"

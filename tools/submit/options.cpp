@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "cli/option/geoid_option.h"
-#include "cli/option/numbers_option.h"
 #include "cli/option/option_check.h"
 #include "cli/option/placement_option.h"
 #include "cli/option/spacing_options.h"

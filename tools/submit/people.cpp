@@ -1,6 +1,5 @@
 #include "people.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 

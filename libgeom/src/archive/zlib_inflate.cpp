@@ -1,6 +1,5 @@
 #include <zlib.h>
 
-#include <cstdint>
 #include <limits>
 
 #include "inflate.h"

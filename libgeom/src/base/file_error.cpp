@@ -1,6 +1,5 @@
 #include "geom/base/file_error.h"
 
-#include <cerrno>
 #include <utility>
 
 namespace geom {

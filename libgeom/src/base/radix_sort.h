@@ -2,7 +2,6 @@
 
 // Millions of whole numbers sorted by counting, without comparing any two.
 
-#include <cstddef>
 #include <cstdint>
 
 #include "geom/base/execution.h"

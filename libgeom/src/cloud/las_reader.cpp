@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <optional>
-
 #include "byte_source.h"
 #include "geom/cloud/cloud_format.h"
 #include "geom/cloud/point_cloud.h"

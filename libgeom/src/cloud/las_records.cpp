@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstring>
-#include <span>
 #include <vector>
 
 #include "geom/base/error.h"

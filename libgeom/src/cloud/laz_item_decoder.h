@@ -7,8 +7,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <memory>
-#include <span>
 
 #include "range_decoder.h"
 

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <optional>
-
 #include "geom/cloud/cloud_format.h"
 #include "geom/cloud/point_cloud.h"
 #include "geom/text/beginning.h"

@@ -3,7 +3,6 @@
 // What the readers of point clouds share.
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <istream>
 #include <string>

@@ -1,10 +1,8 @@
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <vector>
 
 #include "geom/cloud/coordinate_reference.h"
-#include "geom/text/number.h"
 #include "geom/text/text_table.h"
 
 // Well-known text of coordinate reference systems: OGC 01-009 (WKT 1) and 18-010r7 (WKT 2).

@@ -8,7 +8,6 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
-#include <utility>
 
 #if defined(__x86_64__)
 #include <immintrin.h>

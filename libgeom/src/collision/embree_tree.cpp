@@ -2,7 +2,6 @@
 
 #include <embree3/rtcore.h>
 
-#include <algorithm>
 #include <atomic>
 #include <memory>
 #include <new>

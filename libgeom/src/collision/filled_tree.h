@@ -3,7 +3,6 @@
 // A tree of what a builder made, with as few nodes as its splits allow.
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 
 #include "box_tree.h"

@@ -1,6 +1,5 @@
 #include "group_tree.h"
 
-#include <algorithm>
 #include <new>
 
 namespace geom {

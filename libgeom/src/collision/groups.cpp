@@ -1,7 +1,6 @@
 #include "groups.h"
 
 #include <algorithm>
-#include <cmath>
 #include <new>
 #include <utility>
 

@@ -3,7 +3,6 @@
 // A first look at a segment: whether it stays above everything around it.
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <span>
 #include <vector>

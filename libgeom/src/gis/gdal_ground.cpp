@@ -1,5 +1,3 @@
-#include <array>
-#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <memory>

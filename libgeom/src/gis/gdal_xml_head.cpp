@@ -3,7 +3,6 @@
 #include <cpl_vsi.h>
 
 #include <memory>
-#include <string_view>
 
 #include "text/xml_head.h"
 #include "xml_heads.h"

@@ -3,7 +3,6 @@
 // A height of CityGML 3.0: a number, and between which points of a construction it was taken.
 
 #include <string>
-#include <string_view>
 
 namespace geom::gis {
 

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <map>
 #include <optional>
 
 #include "geom/import/import_boxes.h"

@@ -6,7 +6,6 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <limits>
 #include <mutex>
 #include <optional>
 #include <ostream>

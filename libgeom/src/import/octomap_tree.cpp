@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <octomap/OcTree.h>
 
-#include <cmath>
 #include <iterator>
 #include <sstream>
 

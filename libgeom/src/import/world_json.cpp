@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <istream>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "geom/base/error.h"

@@ -4,7 +4,6 @@
 
 #include <span>
 #include <string_view>
-#include <vector>
 
 #include "column_shard.h"
 #include "geom/base/execution.h"

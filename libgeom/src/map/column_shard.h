@@ -3,7 +3,6 @@
 // The columns of some of the cells: what one thread fills at a time.
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>

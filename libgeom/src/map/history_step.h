@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
-#include <string_view>
 
 #include "geom/base/notes.h"
 #include "geom/base/skipped.h"

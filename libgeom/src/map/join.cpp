@@ -1,7 +1,5 @@
 #include "geom/map/join.h"
 
-#include <cmath>
-#include <map>
 #include <optional>
 
 #include "geom/base/error.h"

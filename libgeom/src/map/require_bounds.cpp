@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "geom/base/error.h"
-#include "geom/map/box_map.h"
 
 namespace geom {
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <tuple>
 
 #include "geom/base/error.h"
 #include "geom/base/mapped_file.h"

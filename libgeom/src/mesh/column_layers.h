@@ -2,8 +2,6 @@
 
 // What stands over a run of cells, and runs of cells that are one box.
 
-#include <array>
-#include <cstdint>
 #include <span>
 #include <vector>
 

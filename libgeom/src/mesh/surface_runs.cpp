@@ -1,7 +1,6 @@
 #include "surface_runs.h"
 
 #include <limits>
-#include <optional>
 #include <tuple>
 
 namespace geom {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
 
 #include "geom/base/error.h"
 #include "geom/text/parse_json.h"

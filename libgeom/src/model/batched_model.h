@@ -2,7 +2,6 @@
 
 // Batched 3D Model: a glTF with names for its features (3D Tiles 1.0, OGC 18-053r2, 9).
 
-#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -3,7 +3,6 @@
 #include <GeographicLib/Geocentric.hpp>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "geom/base/error.h"
 #include "geom/map/geographic_frame.h"

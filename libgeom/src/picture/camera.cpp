@@ -4,7 +4,6 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 namespace geom::picture {
 namespace {

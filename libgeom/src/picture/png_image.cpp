@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <png.h>
 
-#include <cmath>
 #include <csetjmp>
 #include <exception>
 #include <functional>

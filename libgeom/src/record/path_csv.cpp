@@ -7,7 +7,6 @@
 #include <set>
 
 #include "geom/base/error.h"
-#include "geom/base/vec3.h"
 #include "geom/text/excerpt.h"
 #include "geom/text/text_table.h"
 

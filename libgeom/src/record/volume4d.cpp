@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <initializer_list>
 #include <istream>
 #include <nlohmann/json.hpp>

@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <limits>
-#include <list>
 #include <map>
-#include <optional>
 #include <utility>
 
 namespace geom {

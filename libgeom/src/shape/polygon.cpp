@@ -1,7 +1,6 @@
 #include "geom/shape/polygon.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "orientation.h"

@@ -2,10 +2,8 @@
 
 // Whether rectangles reach no further outside a polygon than a slack.
 
-#include <array>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "cover_edge.h"

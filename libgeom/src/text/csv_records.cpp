@@ -1,8 +1,5 @@
 #include "text/csv_records.h"
 
-#include <cerrno>
-#include <nlohmann/json.hpp>
-
 #include "geom/base/file_error.h"
 #include "geom/text/text_table.h"
 

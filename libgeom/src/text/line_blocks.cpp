@@ -1,7 +1,6 @@
 #include "line_blocks.h"
 
 #include <algorithm>
-#include <cerrno>
 
 #include "geom/base/file_error.h"
 

@@ -1,8 +1,5 @@
 #include "geom/text/parse_json.h"
 
-#include <fmt/format.h>
-
-#include <cerrno>
 #include <istream>
 #include <iterator>
 #include <nlohmann/json.hpp>

@@ -1,9 +1,6 @@
 #include "geom/text/text_table.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 
 #include "geom/base/file_error.h"

@@ -1,7 +1,6 @@
 #include "text/xml_head.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <utility>
 
 #include "geom/base/error.h"

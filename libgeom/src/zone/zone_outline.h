@@ -2,7 +2,6 @@
 
 // The outline of a zone's volume on a map.
 
-#include <optional>
 #include <string>
 
 #include "geom/map/box_map.h"

@@ -2,7 +2,6 @@
 
 // The parts of edges of one size, with what is known of each: what a search for a bound goes over.
 
-#include <array>
 #include <cstdint>
 #include <vector>
 

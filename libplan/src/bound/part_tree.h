@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "convex_edges.h"
-#include "geom/shape/aabb.h"
 #include "median_tree.h"
 
 namespace plan {

@@ -2,7 +2,6 @@
 
 // A step on the way to a path: what is asked of it, and what it gives.
 
-#include <span>
 #include <string_view>
 #include <vector>
 

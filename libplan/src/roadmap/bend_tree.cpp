@@ -1,7 +1,6 @@
 #include "bend_tree.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "curve.h"

@@ -1,7 +1,5 @@
 #include "loaded_tiles.h"
 
-#include <fmt/format.h>
-
 #include <bit>
 #include <limits>
 

@@ -3,7 +3,6 @@
 // Between a roadmap in tiles and one whose bends are numbered one after the other.
 
 #include <cstddef>
-#include <vector>
 
 #include "edge_lists.h"
 #include "plan/roadmap/roadmap.h"

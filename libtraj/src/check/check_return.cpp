@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "geom/base/usage_error.h"
-#include "traj/curve/vertical_ends.h"
 #include "traj/home/flight_return.h"
 #include "traj/home/return_certificate.h"
 #include "traj/mission/judge/judge.h"

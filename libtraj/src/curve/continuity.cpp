@@ -1,7 +1,5 @@
 #include "curve/continuity.h"
 
-#include <algorithm>
-
 namespace traj {
 namespace {
 

@@ -1,6 +1,5 @@
 #include "traj/fleet/forbidden_by_moving.h"
 
-#include <algorithm>
 #include <cassert>
 
 #include "fleet/course.h"

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "geom/base/error.h"
-#include "geom/record/agreed_room.h"
 #include "geom/text/record_lines.h"
 #include "traj/home/contingency_proof.h"
 

@@ -9,7 +9,6 @@
 namespace traj {
 namespace {
 
-using exact::Point;
 using exact::RoughSolid;
 using exact::Solid;
 using exact::Whole;

@@ -7,7 +7,6 @@
 
 #include "geom/map/geographic_frame.h"
 #include "geom/text/counted.h"
-#include "traj/home/fence_plan.h"
 #include "traj/record/verdict.h"
 
 namespace traj {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "geom/base/usage_error.h"
 #include "geom/shape/hull.h"

@@ -3,8 +3,6 @@
 // The way home from one place, chosen among the sites.
 
 #include <optional>
-#include <span>
-#include <vector>
 
 #include "home/braking.h"
 #include "home/way_room.h"

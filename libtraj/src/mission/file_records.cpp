@@ -1,7 +1,6 @@
 #include "traj/mission/file_records.h"
 
 #include <numeric>
-#include <utility>
 
 namespace traj {
 namespace {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "curve/bernstein.h"
 #include "curve/curve_piece.h"

@@ -1,7 +1,6 @@
 #include "check_place.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 

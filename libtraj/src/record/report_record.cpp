@@ -1,7 +1,5 @@
 #include "traj/record/report_record.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "bound_planes.h"
 #include "geom/shape/empty_box.h"

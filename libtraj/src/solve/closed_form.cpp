@@ -74,6 +74,7 @@ std::optional<Trajectory> with_velocities(std::span<const Waypoint> waypoints,
 
 std::vector<double> leg_times(const geom::CollisionScene& scene, std::span<const Vec3> points,
                               const Limits& limits, Times times) {
+  if (points.empty()) return {};
   const SpeedProfile profile = nominal_profile(limits, length(points));
   switch (times) {
     case Times::distance:
@@ -81,7 +82,7 @@ std::vector<double> leg_times(const geom::CollisionScene& scene, std::span<const
     case Times::cautious:
       return cautious(scene, points, profile);
     case Times::trapezoid: {
-      const SpeedProfile gentle{profile.vmax, profile.amax / 2};
+      const std::vector<SpeedProfile> gentle(points.size() - 1, {profile.vmax, profile.amax / 2});
       return rolling_times(points, corner_speeds(points, gentle, {profile.amax, kCornerDeviation}),
                            gentle);
     }

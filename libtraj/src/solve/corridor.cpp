@@ -2,10 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "bound_planes.h"

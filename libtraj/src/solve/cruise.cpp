@@ -1,7 +1,6 @@
 #include "cruise.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "curve/portable_math.h"
 #include "solve/nominal.h"

@@ -112,12 +112,6 @@ std::vector<double> corner_speeds(std::span<const Vec3> points, std::span<const 
   return speed;
 }
 
-std::vector<double> corner_speeds(std::span<const Vec3> points, const SpeedProfile& profile,
-                                  const Turns& turns) {
-  if (points.empty()) return {};
-  return corner_speeds(points, std::vector(points.size() - 1, profile), turns);
-}
-
 std::vector<double> rolling_times(std::span<const Vec3> points, std::span<const double> speeds,
                                   std::span<const SpeedProfile> legs) {
   assert(speeds.size() == points.size() && legs.size() + 1 == points.size());
@@ -127,12 +121,6 @@ std::vector<double> rolling_times(std::span<const Vec3> points, std::span<const 
         leg_time((points[i] - points[i - 1]).norm(), speeds[i - 1], speeds[i], legs[i - 1]));
   }
   return times;
-}
-
-std::vector<double> rolling_times(std::span<const Vec3> points, std::span<const double> speeds,
-                                  const SpeedProfile& profile) {
-  if (points.empty()) return {};
-  return rolling_times(points, speeds, std::vector(points.size() - 1, profile));
 }
 
 }  // namespace traj

@@ -47,7 +47,7 @@ std::vector<double> stopping_times(std::span<const Vec3> points, const SpeedProf
 
 // The speed at each point so that turns taken at `acceleration` cut the corner by at most
 // `deviation` metres, and legs are feasible at their amax (a pass forward, then one backward); at
-// the ends as given. `legs` has a profile a leg, or there is one for all.
+// the ends as given. `legs` has a profile a leg.
 struct Turns {
   double acceleration = 1;   // m/s2
   double deviation = 1;      // metres
@@ -57,13 +57,9 @@ struct Turns {
 };
 std::vector<double> corner_speeds(std::span<const Vec3> points, std::span<const SpeedProfile> legs,
                                   const Turns& turns);
-std::vector<double> corner_speeds(std::span<const Vec3> points, const SpeedProfile& profile,
-                                  const Turns& turns);
 
 // The seconds of each leg at these speeds.
 std::vector<double> rolling_times(std::span<const Vec3> points, std::span<const double> speeds,
                                   std::span<const SpeedProfile> legs);
-std::vector<double> rolling_times(std::span<const Vec3> points, std::span<const double> speeds,
-                                  const SpeedProfile& profile);
 
 }  // namespace traj

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "geom/collision/collision.h"
-#include "traj/home/off_nominal.h"
 
 namespace traj {
 

@@ -1,4 +1,3 @@
-#include <algorithm>
 
 #include "geom/text/instant.h"
 #include "traj/check/check_record.h"

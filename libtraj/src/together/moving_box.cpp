@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <vector>
 
 #include "curve/curve_piece.h"
 #include "geom/base/rounding.h"

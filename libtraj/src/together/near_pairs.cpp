@@ -1,7 +1,6 @@
 #include "traj/together/near_pairs.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "box_tree.h"
 #include "geom/base/parallel.h"

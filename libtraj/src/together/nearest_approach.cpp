@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <tuple>
 
 #include "curve/curve_piece.h"

@@ -2,7 +2,6 @@
 
 // A flight over all time, and what two flights are to each other between their joints.
 
-#include <functional>
 #include <optional>
 #include <vector>
 

@@ -3,8 +3,6 @@
 
 #include <liblzf/lzf.h>
 
-#include <bit>
-#include <cmath>
 #include <cstdlib>
 #include <numeric>
 

@@ -3,7 +3,6 @@
 // Polygons whose points are marks, and whether the boxes of a model hold these.
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 #include <vector>
 

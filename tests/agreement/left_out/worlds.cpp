@@ -2,7 +2,6 @@
 // marked box is left out in silence (support/left_out.h).
 
 #include <Eigen/Geometry>
-#include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 

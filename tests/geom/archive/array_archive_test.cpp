@@ -8,7 +8,6 @@
 #include <numeric>
 #include <sstream>
 
-#include "geom/archive/bytes.h"
 #include "geom/base/error.h"
 #include "support/edited_map.h"
 #include "support/reading.h"

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "geom/base/error.h"
 #include "support/reading.h"
 #include "support/shards.h"
 

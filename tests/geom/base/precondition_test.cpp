@@ -5,9 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
-#include <optional>
 
 #include "geom/base/error.h"
 #include "geom/collision/collision.h"

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstring>
 
-#include "geom/base/error.h"
 #include "support/reading.h"
 
 namespace geom {

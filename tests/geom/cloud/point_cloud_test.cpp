@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <liblzf/lzf.h>
 
-#include <cmath>
 #include <cstring>
 #include <sstream>
 

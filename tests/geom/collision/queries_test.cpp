@@ -8,15 +8,12 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
 #include <cstring>
 #include <functional>
 #include <limits>
 #include <new>
 #include <optional>
 #include <sstream>
-#include <stdexcept>
 
 #include "collision/groups.h"
 #include "geom/archive/array_archive.h"

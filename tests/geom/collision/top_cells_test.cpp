@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <optional>
-
 #include "collision/box_walk.h"
 #include "support/cases.h"
 #include "support/random_city.h"

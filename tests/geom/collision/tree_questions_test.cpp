@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "geom/shape/aabb.h"
-
 namespace geom {
 namespace {
 

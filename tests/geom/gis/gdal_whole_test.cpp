@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "geom/base/error.h"
 #include "geom/gis/footprint_source.h"
 #include "support/reading.h"
 #include "support/shape_files.h"

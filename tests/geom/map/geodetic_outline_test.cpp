@@ -4,7 +4,6 @@
 
 #include <GeographicLib/Geodesic.hpp>
 #include <GeographicLib/GeodesicLine.hpp>
-#include <cmath>
 
 #include "support/reading.h"
 

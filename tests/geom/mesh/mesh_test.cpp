@@ -7,7 +7,6 @@
 #include <cstring>
 #include <sstream>
 
-#include "geom/base/error.h"
 #include "support/random_city.h"
 
 namespace geom {

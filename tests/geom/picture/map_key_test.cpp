@@ -5,12 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 #include <vector>
 
 #include "picture/drawn.h"
-#include "support/random_city.h"
 
 namespace {
 

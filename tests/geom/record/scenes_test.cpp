@@ -5,7 +5,6 @@
 #include <set>
 #include <vector>
 
-#include "geom/base/error.h"
 #include "geom/base/parallel.h"
 #include "support/random_city.h"
 #include "support/reading.h"

@@ -1,6 +1,5 @@
 #include "geom/zone/read_zones.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

@@ -8,7 +8,6 @@
 #include "geom/base/error.h"
 #include "geom/base/random.h"
 #include "geom/map/geographic_frame.h"
-#include "geom/zone/read_zones.h"
 #include "support/random_city.h"
 
 namespace geom {

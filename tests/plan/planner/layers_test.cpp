@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "geom/base/error.h"
 #include "geom/base/parallel.h"

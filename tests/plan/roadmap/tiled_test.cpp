@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "geom/base/error.h"
 #include "plan/scenes.h"
 #include "roadmap/bends.h"
 #include "roadmap/tile_reader.h"

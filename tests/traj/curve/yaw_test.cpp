@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "curve/bernstein.h"
 #include "curve/portable_math.h"
 #include "traj/scenes.h"
 

@@ -9,24 +9,12 @@ namespace traj {
 namespace {
 
 using testing::forbidden_departures;
+using testing::holds;
 using testing::least_share;
 using testing::random_flight;
+using testing::steady;
 
 constexpr double kForEver = std::numeric_limits<double>::infinity();
-
-// 20 s at 10 m/s from one place to another 200 m away, with no time to speed up.
-Trajectory steady(const Vec3& from, const Vec3& to) {
-  State a;
-  State b;
-  a.position = from;
-  b.position = to;
-  a.velocity = b.velocity = (to - from) / 20;
-  return {{hermite(a, b, 20)}};
-}
-
-bool holds(const std::vector<DepartureSpan>& spans, double d) {
-  return std::any_of(spans.begin(), spans.end(), [&](const auto& span) { return span.holds(d); });
-}
 
 const std::vector<Zone> kZones{cylinder(5, 2)};
 

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "traj/fleet/random_flights.h"
@@ -10,17 +9,12 @@
 namespace traj {
 namespace {
 
+using testing::holds;
 using testing::place_at;
 using testing::random_place;
+using testing::steady;
 
 constexpr double kForever = std::numeric_limits<double>::infinity();
-
-// 20 s along x from -100 to 100 at 10 m/s.
-Trajectory steady() {
-  const Vec3 v(10, 0, 0);
-  return {{hermite({{-100, 0, 0}, v, Vec3::Zero(), Vec3::Zero()},
-                   {{100, 0, 0}, v, Vec3::Zero(), Vec3::Zero()}, 20)}};
-}
 
 MovingBox box_of(const geom::Aabb& box, double from, double until) {
   return {box, Vec3::Zero(), Vec3::Zero(), from, until};
@@ -29,11 +23,6 @@ MovingBox box_of(const geom::Aabb& box, double from, double until) {
 std::vector<DepartureSpan> forbidden(const Trajectory& flight, const Vec3& room,
                                      const MovingBox& box, Parked parked) {
   return forbidden_by_moving(flight, room, {&box, 1}, parked).at(0);
-}
-
-bool holds(const std::vector<DepartureSpan>& spans, double departure) {
-  return std::any_of(spans.begin(), spans.end(),
-                     [&](const DepartureSpan& span) { return span.holds(departure); });
 }
 
 TEST(ForbiddenByMoving, IsTheTimeOfTheBoxLessThatOfTheFlightInIt) {

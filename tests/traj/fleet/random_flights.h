@@ -3,7 +3,6 @@
 // Flights at random places and of random shapes, and how near two of them come, by sampling.
 
 #include <algorithm>
-#include <cmath>
 
 #include "fleet/forbidden_between.h"
 #include "geom/base/random.h"
@@ -34,6 +33,16 @@ inline Trajectory random_flight(geom::SplitMix64& random, double across = 100, d
     from = to;
   }
   return out;
+}
+
+// 20 s at one speed from one place to another, with no time to speed up.
+inline Trajectory steady(const Vec3& from = {-100, 0, 0}, const Vec3& to = {100, 0, 0}) {
+  const Vec3 v = (to - from) / 20;
+  return {{hermite({from, v}, {to, v}, 20)}};
+}
+
+inline bool holds(const std::vector<DepartureSpan>& spans, double departure) {
+  return std::ranges::any_of(spans, [&](const auto& span) { return span.holds(departure); });
 }
 
 // Of two flights that are not cut into pieces yet.

@@ -5,7 +5,6 @@
 #include <sstream>
 
 #include "geom/base/error.h"
-#include "support/random_city.h"
 #include "traj/home/home_case.h"
 
 namespace traj {

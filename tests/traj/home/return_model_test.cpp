@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "traj/mission/firmware/autopilot_settings.h"
-
 namespace traj {
 namespace {
 

@@ -3,11 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "geom/base/usage_error.h"
-#include "traj/mission/formats/crazyflie.h"
-#include "traj/mission/formats/gltf_line.h"
 #include "traj/mission/formats/mission_formats.h"
-#include "traj/mission/formats/setpoints.h"
-#include "traj/mission/formats/wpl.h"
 #include "traj/mission/judge/judge.h"
 #include "traj/mission/read_mission.h"
 #include "traj/scenes.h"

@@ -8,8 +8,6 @@
 #include "support/cases.h"
 #include "support/reading.h"
 #include "traj/mission/formats/crazyflie.h"
-#include "traj/mission/formats/geo_line.h"
-#include "traj/mission/formats/gltf_line.h"
 #include "traj/mission/formats/mission_formats.h"
 #include "traj/mission/formats/qgc_plan.h"
 #include "traj/mission/formats/setpoints.h"

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "solve/time_scaling.h"
 #include "support/random_city.h"

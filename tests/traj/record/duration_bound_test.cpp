@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "proof/least_duration.h"
 #include "solve/stop_and_go.h"
 #include "traj/record/report_record.h"
 #include "traj/scenes.h"

@@ -36,9 +36,9 @@ std::string stream() {
          to_json_line(record("b", 5));
 }
 
-std::vector<SimulatedFlight> fly(SimulatedFlights& flights, unsigned threads = 1) {
+std::vector<SimulatedFlight> fly(SimulatedFlights& flights) {
   std::vector<SimulatedFlight> out;
-  flights.fly({threads, {}}, [&](SimulatedFlight one) { out.push_back(std::move(one)); });
+  flights.fly({4, {}}, [&](SimulatedFlight one) { out.push_back(std::move(one)); });
   return out;
 }
 
@@ -53,19 +53,6 @@ TEST(SimulatedFlights, GivesAFlightARecordInOrder) {
   EXPECT_TRUE(flown[1].log.samples.empty());
   EXPECT_DOUBLE_EQ(flown[2].report.duration, 5);
   EXPECT_FALSE(flown[2].log.samples.empty());
-}
-
-TEST(SimulatedFlights, AreTheSameForAnyThreads) {
-  const auto samples = [](unsigned threads) {
-    SimulatedFlights flights(options(), nullptr);
-    flights.read(support::Text(stream()), "s", {});
-    std::vector<Vec3> out;
-    for (const SimulatedFlight& one : fly(flights, threads)) {
-      for (const FlightSample& sample : one.log.samples) out.push_back(sample.position);
-    }
-    return out;
-  };
-  EXPECT_EQ(samples(1), samples(4));
 }
 
 TEST(SimulatedFlights, TakesWhatItsShardTakes) {

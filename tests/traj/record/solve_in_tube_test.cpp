@@ -2,10 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
-
 #include "geom/record/scenes.h"
-#include "traj/curve/to_enu.h"
 #include "traj/curve/trajectory_hash.h"
 #include "traj/flight/tilted_radius.h"
 #include "traj/scenes.h"

@@ -1,6 +1,5 @@
 #include "traj/schedule/fleet_schedule.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

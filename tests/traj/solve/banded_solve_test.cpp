@@ -7,7 +7,6 @@
 
 #include <cmath>
 
-#include "solve/ipopt_solve.h"
 #include "solve/optimize.h"
 #include "traj/scenes.h"
 

@@ -69,9 +69,10 @@ TEST(CautiousTimes, AreZeroForLegsOfNoLength) {
 
 TEST(CornerSpeeds, PassForwardAndBackwardFromRest) {
   const std::vector<Vec3> straight{Vec3::Zero(), Vec3(2, 0, 0), Vec3(50, 0, 0), Vec3(50.5, 0, 0)};
-  const auto speeds = corner_speeds(straight, {5, 1}, {1, 1});
+  const std::vector<SpeedProfile> legs(3, {5, 1});
+  const auto speeds = corner_speeds(straight, legs, {1, 1});
   EXPECT_EQ(speeds, (std::vector<double>{0, 2, 1, 0}));
-  const auto times = rolling_times(straight, speeds, {5, 1});
+  const auto times = rolling_times(straight, speeds, legs);
   EXPECT_DOUBLE_EQ(times[0], 2);
   EXPECT_DOUBLE_EQ(times[1], 3 + (48 - 10.5 - 12) / 5 + 4);
   EXPECT_DOUBLE_EQ(times[2], 1);
@@ -94,14 +95,16 @@ TEST(CornerSpeeds, RoundACornerOfAShortLegWithinTheLeg) {
   within.within_legs = true;
   const std::vector<Vec3> corner{Vec3::Zero(), Vec3(100, 0, 0), Vec3(100, 0.2, 0),
                                  Vec3(200, 0.2, 0)};
-  EXPECT_NEAR(corner_speeds(corner, {50, 2}, within)[1], std::sqrt(2 * 0.1), 1e-12);
-  EXPECT_GT(corner_speeds(corner, {50, 2}, turns)[1], 1);
+  const std::vector<SpeedProfile> legs(3, {50, 2});
+  EXPECT_NEAR(corner_speeds(corner, legs, within)[1], std::sqrt(2 * 0.1), 1e-12);
+  EXPECT_GT(corner_speeds(corner, legs, turns)[1], 1);
 }
 
 TEST(CornerSpeeds, RoundARightAngleWithinTheDeviation) {
   const std::vector<Vec3> corner{Vec3::Zero(), Vec3(100, 0, 0), Vec3(100, 100, 0)};
   const double s = std::sqrt(0.5);
-  EXPECT_NEAR(corner_speeds(corner, {50, 2}, {2, 0.5})[1], std::sqrt(2 * 0.5 * s / (1 - s)), 1e-12);
+  const std::vector<SpeedProfile> legs(2, {50, 2});
+  EXPECT_NEAR(corner_speeds(corner, legs, {2, 0.5})[1], std::sqrt(2 * 0.5 * s / (1 - s)), 1e-12);
 }
 
 }  // namespace

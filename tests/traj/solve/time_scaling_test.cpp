@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "traj/proof/check.h"
 #include "traj/scenes.h"
 

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "support/pair_case.h"
 #include "support/random_city.h"
 #include "traj/scenes.h"

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "step_case.h"
-#include "traj/flight/vehicle_profile.h"
 #include "traj/flights.h"
 
 namespace traj {

@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
-#include "cli/answer/exit.h"
 #include "cli/option/numbers_option.h"
 #include "cli/option/placement_option.h"
 #include "geom/base/error.h"

@@ -3,11 +3,9 @@
 // The files of one run of a tool: which they are, that none is taken twice, and the moment in which
 // the outputs appear.
 
-#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -17,8 +17,6 @@
 #include "traj/files/own_formats.h"
 #include "traj/mission/formats/mission_format.h"
 #include "traj/mission/formats/mission_formats.h"
-#include "traj/mission/formats/qgc_plan.h"
-#include "traj/mission/formats/wpl.h"
 
 namespace cli {
 namespace {
@@ -166,7 +164,8 @@ const Place* place_of_stdin(const CLI::App& app) {
 }
 
 bool takes(const Place& place, const Format& format) {
-  if (place.drone_files && (known::is_drone_format(&format) || &format == &known::kFlightLog)) return true;
+  const bool flown = known::is_drone_format(&format) || &format == &known::kFlightLog;
+  if (place.drone_files && flown) return true;
   return std::find(place.takes.begin(), place.takes.end(), &format) != place.takes.end();
 }
 

@@ -1,7 +1,5 @@
 #include "ground_option.h"
 
-#include <nlohmann/json.hpp>
-
 #include "geom/base/usage_error.h"
 #include "numbers_option.h"
 #include "option_check.h"

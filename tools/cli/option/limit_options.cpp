@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "cli/answer/exit.h"
-#include "geom/vehicle/shown_limit.h"
 
 namespace cli {
 

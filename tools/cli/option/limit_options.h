@@ -4,9 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <optional>
-#include <string>
 
-#include "geom/vehicle/vehicle.h"
 #include "traj/proof/limits.h"
 
 namespace cli {

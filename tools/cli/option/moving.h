@@ -3,7 +3,6 @@
 // --moving: obstacles that move.
 
 #include <CLI/CLI.hpp>
-#include <optional>
 #include <string>
 
 #include "degrees.h"

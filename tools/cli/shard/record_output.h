@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "cli/shard/sharding.h"
 #include "geom/archive/record_part.h"

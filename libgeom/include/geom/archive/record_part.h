@@ -11,7 +11,6 @@
 #include <ostream>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "geom/archive/shard_file.h"

@@ -15,7 +15,6 @@
 
 #include <memory>
 #include <ostream>
-#include <span>
 #include <string>
 #include <vector>
 

@@ -9,7 +9,6 @@
 // They are PCL's. All work in single precision relative to the first point, and give indices, so
 // that the points themselves lose nothing.
 
-#include <cstddef>
 #include <string_view>
 #include <vector>
 

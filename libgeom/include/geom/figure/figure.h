@@ -9,7 +9,6 @@
 //   const std::string svg = geom::figure::drawn({"A flight", "time, s", {speed}, {}});
 //   assert(svg.find("A flight") != std::string::npos);
 
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -12,7 +12,6 @@
 #include <span>
 #include <string>
 
-#include "geom/base/execution.h"
 #include "geom/map/box_map.h"
 #include "geom/map/make_map.h"
 #include "geom/map/merge.h"

@@ -13,7 +13,6 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "geom/base/execution.h"
 #include "geom/mesh/triangle_cover.h"

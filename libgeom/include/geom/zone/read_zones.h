@@ -11,7 +11,6 @@
 //   const geom::ZoneFile file = geom::read_zones(text, "zones.json");
 //   assert(file.format == "ed-269" && file.zones[0].volumes[0].outline.radius == 500);
 
-#include <string>
 #include <string_view>
 
 #include "geom/base/format.h"

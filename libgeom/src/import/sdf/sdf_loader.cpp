@@ -7,8 +7,6 @@
 #include <set>
 #include <string_view>
 
-#include "geom/text/number.h"
-
 namespace geom {
 namespace {
 

@@ -8,9 +8,7 @@
 //   std::ostringstream out;
 //   geom::write_array_archive(out, arrays.meta, arrays.arrays);
 
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "geom/archive/shard_file.h"
 #include "plan/lattice/lattice_part.h"

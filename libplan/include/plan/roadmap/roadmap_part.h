@@ -11,7 +11,6 @@
 //   plan::write_roadmap(out, parts);  // bit for bit what one process writes
 
 #include <iosfwd>
-#include <span>
 
 #include "geom/base/execution.h"
 #include "geom/base/shard.h"

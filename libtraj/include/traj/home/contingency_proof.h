@@ -11,7 +11,6 @@
 //   const traj::ExactTask task{.map = map, .vehicle = vehicle, .margin = 0.2};
 //   assert(!traj::check_exactly(task, stages, ways).ok);  // there is no way home
 
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>

@@ -13,7 +13,6 @@
 #include <map>
 #include <set>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "geom/collision/collision.h"

@@ -14,7 +14,6 @@
 #include <cstddef>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "geom/collision/collision.h"

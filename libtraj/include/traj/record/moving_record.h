@@ -10,7 +10,6 @@
 //   assert(crane.box.velocity.x() == 0.1);
 
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>

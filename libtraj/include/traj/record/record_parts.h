@@ -9,8 +9,6 @@
 //   std::ofstream out("scene.glb", std::ios::binary);
 //   geom::write_glb(out, parts);
 
-#include <vector>
-
 #include "geom/mesh/mesh.h"
 #include "geom/record/record.h"
 #include "traj/flight/flight_log.h"

@@ -19,7 +19,6 @@
 #include <vector>
 
 #include "geom/map/geographic_frame.h"
-#include "geom/shape/aabb.h"
 #include "geom/shape/polygon.h"
 #include "traj/submit/risk_volumes.h"
 

@@ -12,7 +12,6 @@
 //   const traj::SubmittedTrajectory flight(scene, record, method, {}, "t.jsonl", 1);
 //   if (flight.refusal().empty()) std::cout << traj::volumes_json(flight.intent());
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>

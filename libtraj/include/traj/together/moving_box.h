@@ -10,7 +10,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 
 #include "geom/base/error.h"
 #include "geom/shape/aabb.h"

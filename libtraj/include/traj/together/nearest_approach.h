@@ -11,7 +11,6 @@
 //
 // Never for a verdict.
 
-#include <optional>
 #include <span>
 #include <vector>
 

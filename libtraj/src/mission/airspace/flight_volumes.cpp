@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 
 #include "geom/base/error.h"
-#include "geom/base/rounding.h"
 #include "geom/shape/convex_outline.h"
 #include "geom/text/instant.h"
 #include "traj/mission/airspace/volume_around.h"

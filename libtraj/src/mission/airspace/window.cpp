@@ -1,7 +1,6 @@
 #include "window.h"
 
 #include <cassert>
-#include <cmath>
 
 #include "geom/base/rounding.h"
 

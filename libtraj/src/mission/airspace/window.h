@@ -2,10 +2,8 @@
 
 // A flight during a window of time, as the control points of its stretches.
 
-#include <string_view>
 #include <vector>
 
-#include "geom/text/instant.h"
 #include "together/timeline.h"
 #include "traj/together/timed_flight.h"
 

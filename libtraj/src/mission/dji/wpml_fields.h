@@ -3,7 +3,6 @@
 // The children of an element of WPML by name, with nothing overlooked.
 
 #include <initializer_list>
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numbers>
 
 namespace traj {
 namespace {

@@ -7,7 +7,6 @@
 #include <istream>
 #include <iterator>
 #include <numbers>
-#include <sstream>
 
 #include "geom/base/error.h"
 #include "geom/text/excerpt.h"

@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "mission/firmware/turn.h"
 #include "traj/curve/vertical_ends.h"

@@ -2,8 +2,6 @@
 
 // What the formats of MAVLink missions share.
 
-#include <optional>
-
 #include "traj/mission/formats/mission_format.h"
 #include "traj/mission/mavlink/mission.h"
 

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <istream>
 #include <numbers>
-#include <optional>
 #include <ostream>
 #include <sstream>
 

@@ -9,7 +9,6 @@
 #include "curve/portable_math.h"
 #include "geom/shape/polyline.h"
 #include "mission/judge/refuse.h"
-#include "proof/check_limits.h"
 
 namespace traj {
 namespace {

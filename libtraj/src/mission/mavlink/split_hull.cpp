@@ -1,7 +1,5 @@
 #include "split_hull.h"
 
-#include <algorithm>
-
 #include "geom/shape/aabb.h"
 
 namespace traj {

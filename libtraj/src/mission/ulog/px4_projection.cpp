@@ -1,6 +1,5 @@
 #include "traj/mission/ulog/px4_projection.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 

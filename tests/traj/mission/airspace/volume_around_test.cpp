@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "geom/shape/convex_outline.h"
 #include "traj/scenes.h"
 

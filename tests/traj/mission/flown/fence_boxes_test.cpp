@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "geom/base/usage_error.h"
-#include "geom/map/geographic_frame.h"
 
 namespace traj {
 namespace {

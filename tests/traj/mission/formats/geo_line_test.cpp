@@ -7,7 +7,6 @@
 #include "geom/base/error.h"
 #include "support/reading.h"
 #include "traj/mission/mavlink/examples.h"
-#include "traj/mission/mavlink/mission.h"
 
 namespace traj {
 namespace {

@@ -6,9 +6,6 @@
 #include <set>
 #include <string>
 
-#include "traj/mission/formats/qgc_plan.h"
-#include "traj/mission/formats/wpl.h"
-
 namespace traj {
 namespace {
 

@@ -4,7 +4,6 @@
 
 #include <sstream>
 
-#include "geom/base/error.h"
 #include "support/reading.h"
 #include "traj/mission/mavlink/examples.h"
 #include "traj/mission/mavlink/mission.h"

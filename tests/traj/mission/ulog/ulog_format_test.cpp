@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "geom/base/error.h"
 #include "support/reading.h"
 
 namespace traj {

@@ -7,7 +7,6 @@
 #include <sstream>
 #include <vector>
 
-#include "geom/base/error.h"
 #include "support/reading.h"
 #include "ulog_bytes.h"
 

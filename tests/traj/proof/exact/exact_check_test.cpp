@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "proof/exact/gmp_bernstein.h"
-#include "solve/stop_and_go.h"
 #include "support/random_city.h"
 #include "traj/proof/check.h"
 #include "traj/record/certificate_record.h"

@@ -18,7 +18,6 @@
 #include <string>
 #include <string_view>
 
-#include "geom/map/geographic_frame.h"
 #include "geom/record/volume4d.h"
 #include "traj/together/timed_flight.h"
 

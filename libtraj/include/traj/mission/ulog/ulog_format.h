@@ -9,7 +9,6 @@
 //   assert(layout.fields.at("remaining").at == 8);
 
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
