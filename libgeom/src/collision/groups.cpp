@@ -5,12 +5,12 @@
 #include <new>
 #include <utility>
 
-#include "embree_tree.h"
 #include "geom/base/mapped_file.h"
 #include "geom/base/precondition.h"
 #include "geom/base/rounding.h"
 #include "map/box_map_data.h"
 #include "packed_tree.h"
+#include "split_tree.h"
 #include "tree_bytes.h"
 
 namespace geom {
@@ -42,7 +42,6 @@ CollisionScene::Impl::Impl(BoxMap m, Vehicle v, double mg, const CollisionOption
                                           : kBoxesPerGroup);
   counts.groups = groups.size();
   keeps_all = groups.size() <= 1 || most_tree_bytes(map.size(), groups.size()) <= budget;
-  if (groups.size() > 1) start_embree();  // here rather than in a query
 }
 
 void CollisionScene::Impl::group_tiles(double wanted) {
@@ -104,7 +103,7 @@ OwnedGroup CollisionScene::Impl::made_tree(std::size_t g) {
   if (groups.size() == 1) {
     looks.reset(new FirstLooks{NearestHints(extent, count), Skyline(grown, extent)});
   }
-  const BuiltTree built = embree_tree(grown, one_frame ? top.frame : TreeFrame(extent));
+  const BuiltTree built = split_tree(grown, one_frame ? top.frame : TreeFrame(extent));
   return group_tree({built, grown, by_vehicle, names, first, std::move(looks)},
                     keeps_all ? &arena : nullptr);
 }
