@@ -11,7 +11,7 @@ import subprocess
 import sys
 
 EVERY = {"libz", "libsimdjson", "libmpfr", "libgmp", "libfmt", "libstdc++", "libm", "libgcc_s", "libc", "ld-linux-x86-64"}
-FURTHER = {"skyway-render": {"libpng16"}, "skyway-view": {"libpng16", "libwebp"}, "skyway-submit": {"libpng16", "libwebp"}, "skyway-mesh": {"libdraco"}}
+FURTHER = {"skyway-render": {"libpng16"}, "skyway-view": {"libpng16", "libwebp"}, "skyway-submit": {"libpng16", "libwebp"}}
 LARGE = {"skyway-cloud", "skyway-footprints", "skyway-bench"}  # PCL and PROJ, GDAL, OMPL: with all that these need
 NOWHERE = {"libipopt", "libcrypto", "liboctomap", "libembree3"}  # not linked by those either
 
