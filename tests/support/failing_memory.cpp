@@ -33,11 +33,6 @@ bool fails() {
 
 #ifdef SKYWAY_SANITIZED
 
-// Embree does not give back all it had when a build of its own runs out of memory. Its frames are
-// seen by the slow unwinder alone.
-extern "C" const char* __asan_default_options() { return "fast_unwind_on_malloc=0"; }
-extern "C" const char* __lsan_default_suppressions() { return "leak:libembree3\n"; }
-
 void* operator new(std::size_t size) {
   void* const at = fails() ? nullptr : std::malloc(size);
   if (!at) throw std::bad_alloc();

@@ -1,6 +1,6 @@
 #pragma once
 
-// A tree over closed boxes with sixteen children a node, which finds candidates. embree_tree.h and
+// A tree over closed boxes with sixteen children a node, which finds candidates. split_tree.h and
 // packed_tree.h build it, and box_walk.h asks it.
 
 #include <algorithm>

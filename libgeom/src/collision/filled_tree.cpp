@@ -110,7 +110,6 @@ BuiltTree filled_tree(const TreeFrame& frame, std::span<const BoxNode> nodes, st
   out.tree.nodes.reserve(nodes.size());
   out.order.reserve(boxes);
   lay_out(nodes, 0, out);
-  out.tree.nodes.shrink_to_fit();
   require_each_box(out.order, boxes);
   return out;
 }

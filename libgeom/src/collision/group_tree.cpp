@@ -9,12 +9,12 @@ constexpr std::align_val_t kAlign{alignof(GroupTree)};
 static_assert(alignof(GroupTree) >= alignof(BoxNode) && sizeof(GroupTree) % alignof(BoxNode) == 0);
 static_assert(sizeof(BoxNode) % alignof(Aabb) == 0);
 
-// The next part of a block: the items of a list, in an order of their own.
-template <class T>
-const T* lay(std::byte*& at, std::span<const T> list, std::span<const std::uint32_t> order) {
+// The next part of a block: item(i) for each i of `order`.
+template <class T, class F>
+const T* lay(std::byte*& at, std::span<const std::uint32_t> order, const F& item) {
   T* const out = reinterpret_cast<T*>(at);
-  for (std::size_t i = 0; i < list.size(); ++i) new (out + i) T(list[order[i]]);
-  at += list.size_bytes();
+  for (std::size_t k = 0; k < order.size(); ++k) new (out + k) T(item(order[k]));
+  at += order.size() * sizeof(T);
   return out;
 }
 
@@ -29,7 +29,7 @@ void ReleaseGroup::operator()(const GroupTree* tree) const {
 OwnedGroup group_tree(GroupParts parts, HugeArena* arena) {
   const std::vector<BoxNode>& nodes = parts.built.tree.nodes;
   const std::size_t bytes = sizeof(GroupTree) + nodes.size() * sizeof(BoxNode) +
-                            parts.grown.size_bytes() + parts.by_vehicle.size_bytes() +
+                            (parts.by_vehicle ? 2 : 1) * parts.grown.size_bytes() +
                             parts.names.size_bytes();
   void* const block = arena ? arena->take(bytes) : ::operator new(bytes, kAlign);
   // Nothing fails from here on.
@@ -37,10 +37,15 @@ OwnedGroup group_tree(GroupParts parts, HugeArena* arena) {
   auto* at = reinterpret_cast<std::byte*>(out + 1);
   std::uninitialized_copy(nodes.begin(), nodes.end(), reinterpret_cast<BoxNode*>(at));
   at += nodes.size() * sizeof(BoxNode);
-  out->grown = lay(at, parts.grown, parts.built.order);
-  out->by_vehicle =
-      parts.by_vehicle.empty() ? out->grown : lay(at, parts.by_vehicle, parts.built.order);
-  out->name = lay(at, parts.names, parts.built.order);
+  const std::span<const std::uint32_t> order = parts.built.order;
+  out->grown = lay<Aabb>(at, order, [&](std::size_t i) { return parts.grown[i]; });
+  out->by_vehicle = out->grown;
+  if (parts.by_vehicle) {
+    out->by_vehicle = lay<Aabb>(at, order, [&](std::size_t i) {
+      return grow(parts.boxes[parts.names[i]], *parts.by_vehicle);
+    });
+  }
+  out->name = lay<std::uint32_t>(at, order, [&](std::size_t i) { return parts.names[i]; });
   out->first = parts.first;
   out->count = parts.grown.size();
   out->bytes = bytes;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "box_tree.h"
@@ -45,7 +46,8 @@ using OwnedGroup = std::unique_ptr<const GroupTree, ReleaseGroup>;
 struct GroupParts {
   const BuiltTree& built;
   std::span<const Aabb> grown;
-  std::span<const Aabb> by_vehicle;  // empty where that is the same
+  std::span<const Aabb> boxes;          // of the map, not grown; `first` and on
+  std::optional<Vec3> by_vehicle = {};  // half sizes without the margin, where there is one
   std::span<const std::uint32_t> names;
   std::size_t first = 0;
   std::unique_ptr<const FirstLooks> looks;

@@ -4,12 +4,12 @@
 #include <new>
 #include <utility>
 
-#include "embree_tree.h"
 #include "geom/base/mapped_file.h"
 #include "geom/base/precondition.h"
 #include "geom/base/rounding.h"
 #include "map/box_map_data.h"
 #include "packed_tree.h"
+#include "split_tree.h"
 #include "tree_bytes.h"
 
 namespace geom {
@@ -41,7 +41,6 @@ CollisionScene::Impl::Impl(BoxMap m, Vehicle v, double mg, const CollisionOption
                                           : kBoxesPerGroup);
   counts.groups = groups.size();
   keeps_all = groups.size() <= 1 || most_tree_bytes(map.size(), groups.size()) <= budget;
-  if (groups.size() > 1) start_embree();  // here rather than in a query
 }
 
 void CollisionScene::Impl::group_tiles(double wanted) {
@@ -79,7 +78,6 @@ const GroupTree& CollisionScene::Impl::build_group(std::size_t g) {
 
 OwnedGroup CollisionScene::Impl::made_tree(std::size_t g) {
   std::vector<Aabb> grown;
-  std::vector<Aabb> by_vehicle;
   std::vector<std::uint32_t> names;
   const std::uint32_t head = tiles.head[order[g]];
   std::size_t count = 0;
@@ -89,12 +87,10 @@ OwnedGroup CollisionScene::Impl::made_tree(std::size_t g) {
   each_run([&](const TileGroups::Run& run) { count += run.count; });
   grown.reserve(count);
   names.reserve(count);
-  if (margin > 0) by_vehicle.reserve(count);
   const std::size_t first = tiles.runs[head].first;
   each_run([&](const TileGroups::Run& run) {
     for (std::size_t i = run.first; i < run.first + run.count; ++i) {
       grown.push_back(grow(boxes[i], half));
-      if (margin > 0) by_vehicle.push_back(grow(boxes[i], vehicle.half));
       names.push_back(static_cast<std::uint32_t>(i - first));
     }
   });
@@ -103,8 +99,14 @@ OwnedGroup CollisionScene::Impl::made_tree(std::size_t g) {
   if (groups.size() == 1) {
     looks.reset(new FirstLooks{NearestHints(extent, count), Skyline(grown, extent)});
   }
-  const BuiltTree built = embree_tree(grown, one_frame ? top.frame : TreeFrame(extent));
-  return group_tree({built, grown, by_vehicle, names, first, std::move(looks)},
+  const BuiltTree built = split_tree(grown, one_frame ? top.frame : TreeFrame(extent));
+  return group_tree({.built = built,
+                     .grown = grown,
+                     .boxes = boxes.subspan(first),
+                     .by_vehicle = margin > 0 ? std::optional(vehicle.half) : std::nullopt,
+                     .names = names,
+                     .first = first,
+                     .looks = std::move(looks)},
                     keeps_all ? &arena : nullptr);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // A tree over boxes that lie side by side on the ground, as groups of tiles do: made in a tenth of
-// the time of embree_tree, and as good for these.
+// the time of split_tree, and as good for these.
 
 #include <span>
 

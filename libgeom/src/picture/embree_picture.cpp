@@ -1,4 +1,4 @@
-#include <embree3/rtcore.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -6,6 +6,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "embree_library.h"
 #include "geom/picture/picture_scene.h"
 #include "ray_lanes.h"
 
@@ -24,18 +25,30 @@ struct Corner {
 };
 
 void throw_on_error(RTCDevice device) {
-  const RTCError error = rtcGetDeviceError(device);
+  const RTCError error = embree().device_error(device);
   if (error == RTC_ERROR_NONE) return;
   if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
   throw std::runtime_error("Embree could not build the scene of the picture");
+}
+
+// A library may be of another version than the headers that this was compiled with.
+void require_version(RTCDevice device) {
+  const auto version = embree().device_property(device, RTC_DEVICE_PROPERTY_VERSION);
+  if (version / 10000 == RTC_VERSION_MAJOR && version / 100 >= RTC_VERSION / 100) return;
+  throw std::runtime_error(
+      fmt::format("Embree is of version {}.{}, expected {}.{} or a later one of {}: install the "
+                  "package libembree3-3",
+                  version / 10000, version / 100 % 100, RTC_VERSION_MAJOR, RTC_VERSION_MINOR,
+                  RTC_VERSION_MAJOR));
 }
 
 }  // namespace
 
 struct PictureScene::Embree {
   // One thread builds, so that the tree, and with it the order of equal depths, is always the same.
-  RTCDevice device = rtcNewDevice("threads=1");
-  RTCScene scene = device ? rtcNewScene(device) : nullptr;
+  const EmbreeLibrary& rtc = embree();
+  RTCDevice device = rtc.new_device("threads=1");
+  RTCScene scene = device ? rtc.new_scene(device) : nullptr;
 
   // Never released where this throws: a process whose memory ran out while Embree started ends.
   Embree() {
@@ -43,30 +56,31 @@ struct PictureScene::Embree {
       throw_on_error(device);
       throw std::runtime_error("Embree does not start on this processor");
     }
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    require_version(device);
+    rtc.set_scene_flags(scene, RTC_SCENE_FLAG_ROBUST);
   }
   ~Embree() {
-    rtcReleaseScene(scene);
-    rtcReleaseDevice(device);
+    rtc.release_scene(scene);
+    rtc.release_device(device);
   }
 
   RTCGeometry new_geometry(RTCGeometryType type) {
-    RTCGeometry geometry = rtcNewGeometry(device, type);
+    RTCGeometry geometry = rtc.new_geometry(device, type);
     if (!geometry) throw std::bad_alloc();
     return geometry;
   }
 
   template <class T>
   T* buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::size_t count) {
-    void* memory = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), count);
+    void* memory = rtc.set_new_geometry_buffer(geometry, type, 0, format, sizeof(T), count);
     if (!memory) throw std::bad_alloc();
     return static_cast<T*>(memory);
   }
 
   void attach(RTCGeometry geometry, unsigned id) {
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometryByID(scene, geometry, id);
-    rtcReleaseGeometry(geometry);
+    rtc.commit_geometry(geometry);
+    rtc.attach_geometry(scene, geometry, id);
+    rtc.release_geometry(geometry);
     throw_on_error(device);
   }
 
@@ -130,7 +144,7 @@ PictureScene::PictureScene(const BoxMap& map, std::span<const Tubes> tubes,
       embree_->add_tubes(t, middle_, static_cast<unsigned>(tube_colours_.size()));
     }
   }
-  rtcCommitScene(embree_->scene);
+  embree_->rtc.commit_scene(embree_->scene);
   try {
     throw_on_error(embree_->device);
   } catch (...) {
@@ -198,7 +212,7 @@ Block PictureScene::cast(const Rays& view, int x, int y) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  rtcIntersect16(valid, embree_->scene, &context, &packet);
+  embree_->rtc.intersect16(valid, embree_->scene, &context, &packet);
   Block out;
   for (int i = 0; i < 16; ++i) {
     out[i] = named(rays[i], packet.hit.geomID[i], packet.hit.primID[i], packet.ray.tfar[i]);
@@ -248,6 +262,7 @@ struct Packet {
 };
 
 struct DepthCast {
+  decltype(&rtcIntersect16) intersect16;
   RTCScene scene;
   const Rays& rays;
   Vec3 middle;
@@ -265,7 +280,7 @@ SKYWAY_RAY_LANES std::array<float, kRays> cast_depths(const DepthCast& cast, int
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  rtcIntersect16(kAll, cast.scene, &context, &packet.rtc);
+  cast.intersect16(kAll, cast.scene, &context, &packet.rtc);
   std::array<float, kRays> out;
   write_depths(first, packet.met(0), cast.surfaces, out.data());
   write_depths(second, packet.met(RayLanes::kLanes), cast.surfaces, out.data() + RayLanes::kLanes);
@@ -279,7 +294,8 @@ std::array<float, kBlock * kBlock> PictureScene::depths(const Rays& rays, int x,
 #if defined(__x86_64__)
   if (RayLanes::usable()) {
     const double* const sides = boxes_.empty() ? nullptr : boxes_.front().min.data();
-    return cast_depths({embree_->scene, rays, middle_, {sides, ground_, kNear}}, x, y);
+    return cast_depths(
+        {embree_->rtc.intersect16, embree_->scene, rays, middle_, {sides, ground_, kNear}}, x, y);
   }
 #endif
   std::array<float, kRays> out;
@@ -311,7 +327,7 @@ float PictureScene::unhidden(const Vec3& from,
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  rtcOccluded16(valid, embree_->scene, &context, &packet);
+  embree_->rtc.occluded16(valid, embree_->scene, &context, &packet);
   int clear = 0;
   for (const float end : packet.tfar) clear += end > 0;
   return static_cast<float>(clear) / 16;

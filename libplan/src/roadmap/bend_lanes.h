@@ -5,6 +5,7 @@
 
 #if defined(__x86_64__)
 #include <immintrin.h>
+#include <sys/platform/x86.h>
 #endif
 
 #include <array>
@@ -38,7 +39,7 @@ class BendLanes {
   unsigned reached(std::size_t first, std::size_t count, const Vec3& p, const Onward& onward,
                    double square, double* squares) const {
 #if defined(__x86_64__)
-    static const bool lanes = __builtin_cpu_supports("avx2");
+    static const bool lanes = CPU_FEATURE_ACTIVE(AVX2);
     if (lanes) return in_lanes(first, count, p, onward.terms(), square, squares);
 #endif
     return one_by_one(first, count, p, onward, square, squares);
@@ -104,6 +105,7 @@ class BendLanes {
     unsigned out = 0;
     for (std::size_t k = 0; k < count; k += kLanes) {
       __m256d d[3];
+#pragma GCC unroll 3
       for (std::size_t a = 0; a < 3; ++a) {
         d[a] = _mm256_sub_pd(_mm256_loadu_pd(place_[a].data() + first + k),
                              _mm256_set1_pd(p[static_cast<int>(a)]));
@@ -114,9 +116,10 @@ class BendLanes {
                         _mm256_mul_pd(d[2], d[2]));
       _mm256_storeu_pd(squares + k, apart);
       const __m256d near = _mm256_cmp_pd(apart, _mm256_set1_pd(square), _CMP_LE_OQ);
+      const __m256d there = _mm256_and_pd(near, goes(d, on));
+      if (_mm256_testz_pd(there, there)) continue;  // mostly, and the rest is most of the work
       const __m256d back = tangent(along(&back_[0], first + k, d), along(&back_[3], first + k, d));
-      const __m256d yes = _mm256_and_pd(_mm256_and_pd(near, back), goes(d, on));
-      out |= static_cast<unsigned>(_mm256_movemask_pd(yes)) << k;
+      out |= static_cast<unsigned>(_mm256_movemask_pd(_mm256_and_pd(there, back))) << k;
     }
     return out & ((1u << count) - 1);
   }

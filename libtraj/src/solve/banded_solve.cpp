@@ -84,6 +84,7 @@ class InteriorPoint {
     BandedOutcome out;
     for (;; ++out.iterations) {
       gradient_ = nlp_.gradient(at_.x);
+      points_ = nlp_.points(at_.x);
       if (ended(out)) break;
       if (lower_barrier()) filter.forget();
       if (!factored()) {
@@ -153,7 +154,7 @@ class InteriorPoint {
 
   // The largest violation of the optimality conditions, scaled as by Wächter and Biegler (5).
   double error(double violation) const {
-    Vector dual = nlp_.transposed_jacobian_times(at_.x, multiplier_.row);
+    Vector dual = nlp_.transposed_jacobian_times(points_, multiplier_.row);
     for (std::size_t i = 0; i < dual.size(); ++i) dual[i] += gradient_[i];
     double sum = 0;
     double product = 0;
@@ -200,7 +201,7 @@ class InteriorPoint {
     blocks_.clear();
     lift_.clear();
     for (std::size_t k = 0; k < nlp_.pieces(); ++k) {
-      blocks_.push_back(nlp_.condensed_block(k, at_.x, 1, multiplier_.row, ratio_));
+      blocks_.push_back(nlp_.condensed_block(k, at_.x, points_, 1, multiplier_.row, ratio_));
       lift_.push_back(std::max(0.0, -2 * duration_pivot(blocks_.back())));
     }
     if (landing_) {
@@ -248,7 +249,7 @@ class InteriorPoint {
     for (std::size_t i = 0; i < rows; ++i) {
       pull[i] = barrier_ / at_.slack[i] + ratio_[i] * residual(at_, i);
     }
-    Vector right = nlp_.transposed_jacobian_times(at_.x, pull);
+    Vector right = nlp_.transposed_jacobian_times(points_, pull);
     for (std::size_t i = 0; i < right.size(); ++i) right[i] = -gradient_[i] - right[i];
     for (const Bound& bound : bounds_) {
       right[bound.variable] += bound.inside * barrier_ / bound.distance(at_.x);
@@ -270,7 +271,7 @@ class InteriorPoint {
   }
 
   void add_slacks(Direction& d) const {
-    d.slack = nlp_.jacobian_times(at_.x, d.x);
+    d.slack = nlp_.jacobian_times(points_, d.x);
     for (std::size_t i = 0; i < d.slack.size(); ++i) {
       const double s = at_.slack[i];
       const double y = multiplier_.row[i];
@@ -339,6 +340,7 @@ class InteriorPoint {
   Point at_;
   Multipliers multiplier_;
   Vector gradient_;
+  std::vector<Nlp::Point> points_;
   Vector ratio_;  // multiplier / slack
   double error_ = 0;
   std::deque<double> recent_;  // objectives

@@ -237,6 +237,16 @@ std::vector<double> Nlp::constraint_values(std::span<const double> x) const {
   return out;
 }
 
+std::vector<Nlp::Point> Nlp::points(std::span<const double> x) const {
+  std::vector<Point> out;
+  out.reserve(groups_.size());
+  for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
+    const Piece p = piece(k, x);
+    for (const Group& group : groups(k)) out.push_back(p.point(group.order, group.point));
+  }
+  return out;
+}
+
 std::vector<double> Nlp::jacobian(std::span<const double> x) const {
   std::vector<double> out;
   out.reserve(jacobian_entries_.size());
@@ -258,12 +268,11 @@ std::vector<double> Nlp::jacobian(std::span<const double> x) const {
   return out;
 }
 
-std::vector<double> Nlp::jacobian_times(std::span<const double> x,
+std::vector<double> Nlp::jacobian_times(std::span<const Point> points,
                                         std::span<const double> d) const {
   std::vector<double> out;
   out.reserve(rows_.size());
   for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
-    const Piece p = piece(k, x);
     std::array<Vec3, kStates> step;
     for (int m = 0; m < kStates; ++m) {
       for (int i = 0; i < 3; ++i) {
@@ -273,8 +282,9 @@ std::vector<double> Nlp::jacobian_times(std::span<const double> x,
             g < 0 ? 0 : scale(k, local) * d[static_cast<std::size_t>(g)];
       }
     }
-    for (const Group& group : groups(k)) {
-      const Point z = p.point(group.order, group.point);
+    for (std::size_t g = first_group_[k]; g < first_group_[k + 1]; ++g) {
+      const Group& group = groups_[g];
+      const Point& z = points[g];
       Vec3 moved = d[kPiece * k] * z.dt;
       for (std::size_t m = 0; m < kStates; ++m) moved += z.weight[m] * step[m];
       for (std::size_t r = group.first_row; r < group.last_row; ++r) {
@@ -285,15 +295,15 @@ std::vector<double> Nlp::jacobian_times(std::span<const double> x,
   return out;
 }
 
-std::vector<double> Nlp::transposed_jacobian_times(std::span<const double> x,
+std::vector<double> Nlp::transposed_jacobian_times(std::span<const Point> points,
                                                    std::span<const double> v) const {
   std::vector<double> out(start_.size(), 0.0);
   for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
-    const Piece p = piece(k, x);
     std::array<Vec3, kStates> pull;
     pull.fill(Vec3::Zero());
-    for (const Group& group : groups(k)) {
-      const Point z = p.point(group.order, group.point);
+    for (std::size_t g = first_group_[k]; g < first_group_[k + 1]; ++g) {
+      const Group& group = groups_[g];
+      const Point& z = points[g];
       Vec3 sum = Vec3::Zero();
       for (std::size_t r = group.first_row; r < group.last_row; ++r) {
         sum += v[r] * slope(rows_[r], z.value);

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "curve/hermite_form.h"
 #include "traj/curve/trajectory.h"
 #include "traj/solve/corridor.h"
 
@@ -52,6 +53,15 @@ class Nlp {
   };
   using Block = Eigen::Matrix<double, kLocal, kLocal>;
 
+  // A Bernstein point of a derivative, sum of weight[m] state[m], and its own derivatives in time.
+  struct Point {
+    Vec3 value = Vec3::Zero();
+    Vec3 dt = Vec3::Zero();
+    Vec3 dtt = Vec3::Zero();
+    std::array<double, kStates> weight{};
+    std::array<double, kStates> weight_dt{};
+  };
+
   int variables() const { return static_cast<int>(start_.size()); }
   int constraints() const { return static_cast<int>(rows_.size()); }
   const std::vector<double>& start() const { return start_; }
@@ -62,6 +72,9 @@ class Nlp {
   double objective(std::span<const double> x) const;
   std::vector<double> gradient(std::span<const double> x) const;
   std::vector<double> constraint_values(std::span<const double> x) const;
+  // The points that are constrained, piece by piece, which all first and second derivatives of the
+  // constraints at x are made of.
+  std::vector<Point> points(std::span<const double> x) const;
   const std::vector<Entry>& jacobian_entries() const { return jacobian_entries_; }
   std::vector<double> jacobian(std::span<const double> x) const;
 
@@ -76,14 +89,17 @@ class Nlp {
   Block hessian_block(std::size_t piece, std::span<const double> x, double factor,
                       std::span<const double> multipliers) const;
   // The same plus the piece's part of J' diag(weights) J, where J is the constraints' Jacobian.
-  Block condensed_block(std::size_t piece, std::span<const double> x, double factor,
-                        std::span<const double> multipliers, std::span<const double> weights) const;
+  // `points` are those at x.
+  Block condensed_block(std::size_t piece, std::span<const double> x, std::span<const Point> points,
+                        double factor, std::span<const double> multipliers,
+                        std::span<const double> weights) const;
   int global(std::size_t piece, int local) const;  // -1 when fixed
   std::size_t pieces() const { return spec_.corridor.size(); }
 
-  // J d, a number a constraint, and J' v, one a variable.
-  std::vector<double> jacobian_times(std::span<const double> x, std::span<const double> d) const;
-  std::vector<double> transposed_jacobian_times(std::span<const double> x,
+  // J d, a number a constraint, and J' v, one a variable; J is that at the x of the points.
+  std::vector<double> jacobian_times(std::span<const Point> points,
+                                     std::span<const double> d) const;
+  std::vector<double> transposed_jacobian_times(std::span<const Point> points,
                                                 std::span<const double> v) const;
 
   Trajectory trajectory(std::span<const double> x) const;

@@ -6,9 +6,75 @@
 namespace traj {
 namespace {
 
-// Adds factor * (rho * snap)'s second derivatives, lower triangle.
+// The entries of a block that are by two states, from the pair of states start and start on to end
+// and end: by number m of one and number n of the other, along a pair of axes. Four numbers lie
+// side by side and are added at once.
+class ByStates {
+ public:
+  ByStates() {
+    for (Eigen::Matrix4d& sum : sum_) sum.setZero();
+  }
+
+  // By states m and n along one axis, but not by start and end.
+  double& at(int m, int n, int axis) { return sum(m / 4 + n / 4, axis, axis)(m % 4, n % 4); }
+
+  // Adds weight[m] weight[n] bend.
+  void add(const std::array<double, kStates>& weight, const Eigen::Matrix3d& bend) {
+    const Eigen::Vector4d start(weight.data());
+    const Eigen::Vector4d end(weight.data() + 4);
+    const bool by_start = !start.isZero(0);
+    const bool by_end = !end.isZero(0);
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        if (by_start) add_to(sum(0, i, j), start * bend(i, j), start);
+        if (by_start && by_end) add_to(sum(1, i, j), end * bend(i, j), start);
+        if (by_end) add_to(sum(2, i, j), end * bend(i, j), end);
+      }
+    }
+  }
+
+  // What is by end and start is by start and end, too.
+  void write(Nlp::Block& h) {
+    constexpr int kJoint = Nlp::kJoint;
+    for (int j = 0; j < 3; ++j) {
+      for (int n = 0; n < 4; ++n) {
+        double* const by_start = &h(0, local_of(n, j));
+        double* const by_end = &h(0, local_of(4 + n, j));
+        for (int i = 0; i < 3; ++i) {
+          write(sum(0, i, j).col(n), by_start + i);
+          write(sum(1, i, j).col(n), by_start + local_of(4, i));
+          write(sum(2, i, j).col(n), by_end + local_of(4, i));
+        }
+      }
+    }
+    h.topRightCorner<kJoint, kJoint>() = h.bottomLeftCorner<kJoint, kJoint>().transpose();
+  }
+
+ private:
+  using Quarter = Eigen::Matrix4d;
+
+  static void add_to(Quarter& sum, const Eigen::Vector4d& row, const Eigen::Vector4d& column) {
+#pragma GCC unroll 4
+    for (int n = 0; n < 4; ++n) sum.col(n) += column[n] * row;
+  }
+
+  // The numbers of a state along one axis are three apart.
+  static void write(const Eigen::Vector4d& column, double* to) {
+#pragma GCC unroll 4
+    for (int m = 0; m < 4; ++m) to[3 * m] = column[m];
+  }
+
+  Quarter& sum(int pair, int row_axis, int column_axis) {
+    return sum_[static_cast<std::size_t>(9 * pair + 3 * row_axis + column_axis)];
+  }
+
+  std::array<Quarter, 27> sum_;
+};
+
+// Adds factor * (rho * snap)'s second derivatives; of those by a state and the duration the ones in
+// the column of the duration.
 void add_snap(const std::array<Vec3, kStates>& absolute, const Powers& power, double factor,
-              Nlp::Block& h) {
+              ByStates& by_states, Nlp::Block& h) {
   std::array<Vec3, kStates> state = absolute;
   state[4] -= state[0];
   state[0].setZero();
@@ -17,33 +83,28 @@ void add_snap(const std::array<Vec3, kStates>& absolute, const Powers& power, do
     for (int n = 0; n < kStates; ++n) {
       const int e = power_of(m) + power_of(n) - kDegree;
       const double c = factor * kSnapForm[m][n];
-      for (int i = 0; i < 3; ++i) h(local_of(m, i), local_of(n, i)) += 2 * c * power(e);
+      const bool made = m >= 4 || n < 4;
+      for (int i = 0; made && i < 3; ++i) by_states.at(m, n, i) += 2 * c * power(e);
       in_time += (2 * c * e * power(e - 1)) * state[n];
       h(kTime, kTime) += c * e * (e - 1) / power(2) * power(e) * state[m].dot(state[n]);
     }
-    for (int i = 0; i < 3; ++i) {
-      h(local_of(m, i), kTime) += in_time[i];
-      h(kTime, local_of(m, i)) += in_time[i];
-    }
+    for (int i = 0; i < 3; ++i) h(local_of(m, i), kTime) += in_time[i];
   }
 }
 
 // Adds the second derivatives of a function of one Bernstein point, whose own first derivative is
 // `pull` and second `bend`: what the state and the duration do to the point, and how the point's
-// own derivatives change with the duration.
-void add_point(const Point& z, const Vec3& pull, const Eigen::Matrix3d& bend, Nlp::Block& h) {
+// own derivatives change with the duration. Of the entries by a state and the duration those in the
+// column of the duration.
+void add_point(const Nlp::Point& z, const Vec3& pull, const Eigen::Matrix3d& bend,
+               ByStates& by_states, Nlp::Block& h) {
+  by_states.add(z.weight, bend);
   const Vec3 in_time = bend * z.dt;
   for (int m = 0; m < kStates; ++m) {
     const double w = z.weight[static_cast<std::size_t>(m)];
     if (w == 0) continue;
-    const Eigen::Matrix3d part = w * bend;
-    for (int n = 0; n < kStates; ++n) {
-      const double other = z.weight[static_cast<std::size_t>(n)];
-      if (other != 0) h.block<3, 3>(local_of(m, 0), local_of(n, 0)) += other * part;
-    }
-    const Vec3 mixed = w * in_time + z.weight_dt[static_cast<std::size_t>(m)] * pull;
-    h.block<3, 1>(local_of(m, 0), kTime) += mixed;
-    h.block<1, 3>(kTime, local_of(m, 0)) += mixed.transpose();
+    h.block<3, 1>(local_of(m, 0), kTime) +=
+        w * in_time + z.weight_dt[static_cast<std::size_t>(m)] * pull;
   }
   h(kTime, kTime) += in_time.dot(z.dt) + pull.dot(z.dtt);
 }
@@ -65,17 +126,20 @@ Nlp::Block made_positive(const Nlp::Block& h, const std::array<bool, Nlp::kLocal
 
 Nlp::Block Nlp::hessian_block(std::size_t index, std::span<const double> x, double factor,
                               std::span<const double> multipliers) const {
-  return condensed_block(index, x, factor, multipliers, {});
+  return condensed_block(index, x, points(x), factor, multipliers, {});
 }
 
-Nlp::Block Nlp::condensed_block(std::size_t index, std::span<const double> x, double factor,
+Nlp::Block Nlp::condensed_block(std::size_t index, std::span<const double> x,
+                                std::span<const Point> points, double factor,
                                 std::span<const double> multipliers,
                                 std::span<const double> weights) const {
   const Piece p = piece(index, x);
   Block h = Block::Zero();
-  add_snap(p.state, p.power, factor * spec_.rho, h);
-  for (const Group& group : groups(index)) {
-    const Point z = p.point(group.order, group.point);
+  ByStates by_states;
+  add_snap(p.state, p.power, factor * spec_.rho, by_states, h);
+  for (std::size_t g = first_group_[index]; g < first_group_[index + 1]; ++g) {
+    const Group& group = groups_[g];
+    const Point& z = points[g];
     Vec3 pull = Vec3::Zero();
     Eigen::Matrix3d bend = Eigen::Matrix3d::Zero();
     for (std::size_t r = group.first_row; r < group.last_row; ++r) {
@@ -86,8 +150,10 @@ Nlp::Block Nlp::condensed_block(std::size_t index, std::span<const double> x, do
         bend.diagonal() += 2 * multipliers[r] * spec_.limits[rows_[r].limit].weight;
       }
     }
-    add_point(z, pull, bend, h);
+    add_point(z, pull, bend, by_states, h);
   }
+  by_states.write(h);
+  h.row(kTime) = h.col(kTime).transpose().eval();
   for (int i = 0; i < kLocal; ++i) {
     const double s = global(index, i) < 0 ? 0 : scale(index, i);
     h.row(i) *= s;

@@ -44,15 +44,6 @@ struct Powers {
   std::array<double, kMost - kLeast + 1> value;
 };
 
-// A Bernstein point of a derivative, sum of weight[m] state[m], and its own derivatives in time.
-struct Point {
-  Vec3 value = Vec3::Zero();
-  Vec3 dt = Vec3::Zero();
-  Vec3 dtt = Vec3::Zero();
-  std::array<double, kStates> weight{};
-  std::array<double, kStates> weight_dt{};
-};
-
 struct Nlp::Piece {
   std::array<Vec3, kStates> state;
   double time;

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "collision/embree_tree.h"
+#include "collision/split_tree.h"
 #include "support/cases.h"
 #include "support/random_city.h"
 
@@ -35,7 +35,7 @@ World world(std::uint64_t seed, int count, double size, const Vec3& centre) {
     }
     out.boxes.push_back({low, low + length});
   }
-  out.built = embree_tree(out.boxes);
+  out.built = split_tree(out.boxes);
   return out;
 }
 

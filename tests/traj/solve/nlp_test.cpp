@@ -168,9 +168,10 @@ TEST(Nlp, ProductsWithTheJacobianAreThoseOfTheDenseOne) {
   const Eigen::MatrixXd dense = dense_jacobian(nlp, x);
   const Eigen::VectorXd d = random_vector(nlp.variables(), random);
   const Eigen::VectorXd v = random_vector(nlp.constraints(), random);
-  const Vector along = nlp.jacobian_times(x, {d.data(), static_cast<std::size_t>(d.size())});
+  const auto points = nlp.points(x);
+  const Vector along = nlp.jacobian_times(points, {d.data(), static_cast<std::size_t>(d.size())});
   const Vector back =
-      nlp.transposed_jacobian_times(x, {v.data(), static_cast<std::size_t>(v.size())});
+      nlp.transposed_jacobian_times(points, {v.data(), static_cast<std::size_t>(v.size())});
   EXPECT_TRUE(Eigen::VectorXd::Map(along.data(), v.size()).isApprox(dense * d, 1e-12));
   EXPECT_TRUE(Eigen::VectorXd::Map(back.data(), d.size()).isApprox(dense.transpose() * v, 1e-12));
 }
@@ -181,10 +182,11 @@ TEST(Nlp, CondensedBlocksAddTheWeightedRows) {
   const Vector x = perturbed(nlp, random);
   const Vector lambda = multipliers(nlp, random);
   const Vector weights = multipliers(nlp, random);
+  const auto points = nlp.points(x);
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(nlp.variables(), nlp.variables());
   for (std::size_t k = 0; k < nlp.pieces(); ++k) {
     const Nlp::Block added =
-        nlp.condensed_block(k, x, 1, lambda, weights) - nlp.condensed_block(k, x, 1, lambda, {});
+        nlp.condensed_block(k, x, points, 1, lambda, weights) - nlp.hessian_block(k, x, 1, lambda);
     for (int i = 0; i < Nlp::kLocal; ++i) {
       for (int j = 0; j < Nlp::kLocal; ++j) {
         const int row = nlp.global(k, i);

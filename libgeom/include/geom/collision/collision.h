@@ -1,6 +1,6 @@
 #pragma once
 
-// The collision structure: exact queries of a box map for one vehicle and margin, by Embree.
+// The collision structure: exact queries of a box map for one vehicle and margin.
 //
 // Example:
 //   const geom::CollisionScene city(map, vehicle, 0.2);  // 0.2 m of margin

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -158,35 +159,40 @@ constexpr double kLargest = 0x1p+127;   // what it surely holds
 constexpr double kFarthestStray = 1;    // m: no flight any more
 constexpr int kParts = 64;              // of a segment, for the ranges of partial sums
 
+// Of several parts at once.
+using Lanes = Eigen::Array<double, 8, 1>;
+static_assert(kParts % Lanes::RowsAtCompileTime == 0);
+
 struct Range {
-  double low;
-  double high;
-  double most() const { return std::max(std::abs(low), std::abs(high)); }
+  Lanes low;
+  Lanes high;
+  Lanes most() const { return low.abs().max(high.abs()); }
 };
 
-// y t + c for t from `low` to `high`, both >= 0.
-Range next_sum(const Range& y, double low, double high, double c) {
-  return {std::min(y.low * low, y.low * high) + c, std::max(y.high * low, y.high * high) + c};
+// y t for t from `low` to `high`, both >= 0.
+Range product(const Range& y, const Lanes& low, const Lanes& high) {
+  return {(y.low * low).min(y.low * high), (y.high * low).max(y.high * high)};
 }
 
 // How far Horner's rule in single precision may be from the polynomial over [0, duration], where
 // each coefficient was rounded `roundings` times before.
 double horner_error(const Powers& c, double duration, int roundings) {
   double worst = 0;
-  for (int part = 0; part < kParts; ++part) {
-    const double low = duration * part / kParts;
-    const double high = duration * (part + 1) / kParts;
-    Range y{c[kDegree], c[kDegree]};
-    double error = roundings * kUnit * y.most();
+  for (int part = 0; part < kParts; part += Lanes::RowsAtCompileTime) {
+    const Lanes first = Lanes::LinSpaced(part, part + Lanes::RowsAtCompileTime - 1);
+    const Lanes low = duration * first / kParts;
+    const Lanes high = duration * (first + 1) / kParts;
+    Range y{Lanes::Constant(c[kDegree]), Lanes::Constant(c[kDegree])};
+    Lanes error = roundings * kUnit * y.most();
     for (int k = kDegree - 1; k >= 0; --k) {
-      const Range product = next_sum(y, low, high, 0);
-      const double of_product = error * high * (1 + kUnit) + kUnit * product.most() + kSmallest;
-      y = next_sum(y, low, high, c[k]);
-      const double before = of_product + roundings * kUnit * std::abs(c[k]);
+      const Range times = product(y, low, high);
+      const Lanes of_product = error * high * (1 + kUnit) + kUnit * times.most() + kSmallest;
+      y = {times.low + c[k], times.high + c[k]};
+      const Lanes before = of_product + roundings * kUnit * std::abs(c[k]);
       error = before + kUnit * (y.most() + before) + kSmallest;
-      if (!(product.most() + y.most() + error <= kLargest)) return kInfinity;
+      if (!(times.most() + y.most() + error <= kLargest).all()) return kInfinity;
     }
-    worst = std::max(worst, error);
+    worst = std::max(worst, error.maxCoeff());
   }
   return worst * (1 + 1e-6);  // more than this sum's own rounding, in double, and terms of kUnit^2
 }

@@ -1,4 +1,4 @@
-#include "collision/embree_tree.h"
+#include "collision/split_tree.h"
 
 #include <gtest/gtest.h>
 
@@ -10,17 +10,17 @@
 namespace geom {
 namespace {
 
-void expect_whole(std::span<const Aabb> boxes) { support::expect_whole(embree_tree(boxes), boxes); }
+void expect_whole(std::span<const Aabb> boxes) { support::expect_whole(split_tree(boxes), boxes); }
 
-TEST(EmbreeTree, HoldsEveryBoxOnceInsideItsNodes) {
+TEST(SplitTree, HoldsEveryBoxOnceInsideItsNodes) {
   for (const int count : {0, 1, 6, 14, 15, 16, 62, 500, 5000}) {
     expect_whole(support::random_city(3, count + 1, 600).boxes());
   }
 }
 
-TEST(EmbreeTree, TakesBoxesFromLeafToLeaf) {
+TEST(SplitTree, TakesBoxesFromLeafToLeaf) {
   const auto city = support::random_city(3, 500, 600);
-  const BuiltTree built = embree_tree(city.boxes());
+  const BuiltTree built = split_tree(city.boxes());
   std::uint32_t next = 0;
   for (const BoxNode& node : built.tree.nodes) {
     for (const std::uint32_t child : node.child) {
@@ -30,17 +30,17 @@ TEST(EmbreeTree, TakesBoxesFromLeafToLeaf) {
   }
 }
 
-TEST(EmbreeTree, HasFewNodesForItsBoxes) {
+TEST(SplitTree, HasFewNodesForItsBoxes) {
   const auto city = support::random_city(3, 5000, 3000);
-  EXPECT_LT(embree_tree(city.boxes()).tree.nodes.size(), 5000u / 10);
+  EXPECT_LT(split_tree(city.boxes()).tree.nodes.size(), 5000u / 10);
 }
 
-TEST(EmbreeTree, OfBoxesThatAreAllTheSameIsNotDeep) {
+TEST(SplitTree, OfBoxesThatAreAllTheSameIsNotDeep) {
   expect_whole(std::vector<Aabb>(5000, Aabb{{1, 2, 3}, {4, 5, 6}}));
 }
 
 // Splits of least area take one box off at a time.
-TEST(EmbreeTree, OfBoxesThatDoubleIsNotDeep) {
+TEST(SplitTree, OfBoxesThatDoubleIsNotDeep) {
   std::vector<Aabb> boxes;
   for (int copy = 0; copy < 300; ++copy) {
     for (int k = 0; k < 16; ++k) {
@@ -55,7 +55,7 @@ TEST(EmbreeTree, OfBoxesThatDoubleIsNotDeep) {
   expect_whole(boxes);
 }
 
-TEST(EmbreeTree, OfPointsIsATreeToo) {
+TEST(SplitTree, OfPointsIsATreeToo) {
   std::vector<Aabb> boxes;
   support::Random random(2);
   for (int i = 0; i < 100; ++i) {
@@ -65,14 +65,14 @@ TEST(EmbreeTree, OfPointsIsATreeToo) {
   expect_whole(boxes);
 }
 
-TEST(EmbreeTree, IsBuiltByManyThreadsAtOnce) {
+TEST(SplitTree, IsBuiltByManyThreadsAtOnce) {
   const auto city = support::random_city(5, 3000, 900);
   std::vector<std::thread> threads;
   for (int t = 0; t < 4; ++t) {
     threads.emplace_back([&, t] {
       const std::span<const Aabb> boxes = city.boxes();
       for (int i = 0; i < 20; ++i) {
-        const BuiltTree built = embree_tree(boxes.subspan(static_cast<std::size_t>(100 * t), 1200));
+        const BuiltTree built = split_tree(boxes.subspan(static_cast<std::size_t>(100 * t), 1200));
         EXPECT_EQ(built.order.size(), 1200u);
       }
     });
