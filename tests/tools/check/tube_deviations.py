@@ -156,6 +156,7 @@ class Deviations:
             along, balls = part.reach(forms[:, self.changing:])
             across, reach = across + along, reach + balls
         own_bounds, own_across, own_reach = self.own_bounds()
+        self.reached = (bounds + own_bounds)[-1, :self.changing]
         return bounds + own_bounds, np.sqrt(((across + own_across) ** 2).sum(-1)) * UP + reach + own_reach
 
     def own_bounds(self):
@@ -183,8 +184,8 @@ class Deviations:
             out[periods == j] += self.own[j].bounds(forms[periods == j])
         return out + rounding
 
-    def end(self):
-        """To the start of the next block."""
+    def end(self, claimed):
+        """To the start of the next block, where rows are claimed to deviate by at most so much."""
         through = self.products[-1]
         sizes = self.held.sizes()
         sizes[:self.changing] += self.now.sizes()
@@ -194,7 +195,7 @@ class Deviations:
         self.own[-1].intervals[:, -self.changing:] += np.diag(lost[:self.changing])
         self.recent.append(self.own[-1])
         if len(self.recent) > self.law.WHOLE:
-            self.around.look_ahead(through[:self.changing, :self.changing], self.now.sizes())
+            self.around.look_ahead(through[:self.changing, :self.changing], self.reached, claimed)
             self.age(self.recent.pop(0))
 
     def age(self, old):
@@ -232,18 +233,20 @@ def added_up(balls, count):
 
 class Around:
     """Few columns around many: of what is slow, linear forms, a box to which all is tied, and a box for what that leaves. Any tie is right. The best ties
-    by least squares may be large numbers that nearly cancel, and make a wide box; a ridge makes them smaller. Of some ridges that one is taken whose
-    columns are least in the way after some blocks more like the last one."""
+    by least squares may be large numbers that nearly cancel, and make a wide box; a ridge makes them smaller. Of some ridges the one is taken that leaves
+    the bounds furthest below the claims, if some blocks more like the last one follow."""
 
     def __init__(self, forms):
         self.forms = forms
 
-    def look_ahead(self, through, sizes):
-        """Of the last block its map, and by how much each row may deviate."""
+    def look_ahead(self, through, reached, claimed):
+        """Of the last block its map; of each row what it may have reached, and what is claimed."""
         powers = [through]
         for _ in AHEAD[1:]:
             powers.append(powers[-1] @ powers[-1])
-        self.ahead = np.vstack([np.eye(len(through)), *powers]) / np.maximum(np.tile(sizes, len(powers) + 1), 1e-300)[:, None]
+        claimed = np.maximum(np.tile(claimed, len(powers) + 1), 1e-300)
+        self.reached = np.tile(reached, len(powers) + 1) / claimed
+        self.ahead = np.vstack([np.eye(len(through)), *powers]) / claimed[:, None]
 
     def columns(self, columns, more):
         box = np.abs(columns).sum(1)
@@ -255,7 +258,7 @@ class Around:
             ties = np.linalg.solve(gram + np.eye(len(scaled)) * (ridge * np.trace(gram) + 1e-300), scaled @ columns.T).T
             rest = np.abs(columns - ties @ scaled).sum(1) + ROUNDING * (box + np.abs(ties) @ sizes) + more
             around = np.hstack([ties, np.diag(rest)]) * UP
-            found.append((np.max(np.abs(self.ahead @ around).sum(1) - before), len(found), around))
+            found.append((np.max(self.reached + np.abs(self.ahead @ around).sum(1) - before), len(found), around))
         return min(found)[2]
 
     def fewer(self, columns, more):

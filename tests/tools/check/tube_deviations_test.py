@@ -83,7 +83,7 @@ def look_at(claim):
                     along = directions / np.linalg.norm(directions, axis=1)[:, None] @ forms[changing:]
                     assert np.all(reach[j] >= worst(along, begin + j, maps, named, box, begun))
                     ratios.append((bounds[j] / np.maximum(exact, 1e-9)).max())
-            deviations.end()
+            deviations.end(bounds[-1, :changing])
         assert max(ratios) < 1.1, ratios
         print(f"{claim.law.__name__}, cell {part}: bounds are at most {max(ratios):.3f} times the worst there is")
 

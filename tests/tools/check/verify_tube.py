@@ -74,7 +74,7 @@ class CellProof:
             self.require_bounds(begin, bounds)
             self.require_radius(begin, reach, chunk.further[periods - first])
             chunk.require_limits(periods, deviations)
-            deviations.end()
+            deviations.end(self.scales[periods[-1], :self.rows.wind])
         self.require_tilt(first, chunk.least)
 
     def by_coordinates(self, slopes, scales):
