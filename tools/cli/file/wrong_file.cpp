@@ -48,6 +48,7 @@ const std::array kPlaces = {
         "", "--queries", {&known::kQueries, &known::kQueryTable, &kGeoJsonFeature, &kGeoJsonFile}},
     Place{"", "--vehicle", {&known::kVehicleProfile}},
     Place{"", "--moving", {&known::kMoving}},
+    Place{"", "--ground-model", {&known::kGround}},
     Place{"skyway-traj", "paths", {&known::kPaths}},
     Place{"skyway-replan", "--paths", {&known::kPaths}},
     Place{"skyway-check",
@@ -55,6 +56,7 @@ const std::array kPlaces = {
           {&known::kTrajectories, &known::kPaths},
           {"--file-format", "--paths-csv"},
           true},
+    Place{"skyway-submit", "flights", {&known::kTrajectories, &known::kFlights}, {}, true},
     Place{"skyway-fleet", "file", {&known::kTrajectories}},
     Place{"skyway-fleet", "--alternatives", {&known::kTrajectories}},
     Place{"skyway-fleet", "--others", {&known::kTrajectories}},
@@ -166,7 +168,8 @@ const Place* place_of_stdin(const CLI::App& app) {
 }
 
 bool takes(const Place& place, const Format& format) {
-  if (place.drone_files && (known::is_drone_format(&format) || &format == &known::kFlightLog)) return true;
+  if (place.drone_files && (known::is_drone_format(&format) || &format == &known::kFlightLog))
+    return true;
   return std::find(place.takes.begin(), place.takes.end(), &format) != place.takes.end();
 }
 
