@@ -97,8 +97,10 @@ void FlightFiles::add_mission(const std::string& path, const std::string& text,
   if (std::find(missions_.begin(), missions_.end(), name) != missions_.end()) {
     throw cli::UsageError(fmt::format("two missions are named {}: rename one", name));
   }
-  for (const auto& one : flights_.of_mission(text, path))
+  for (const auto& one : flights_.of_mission(text, path)) {
+    any_over_terrain_ = any_over_terrain_ || one.flight->report().terrain.has_value();
     of_missions_.push_back({traj::flight_parts(*one.flight, map)});
+  }
   missions_.push_back(name);
   folder_.add("missions/" + name, text);
 }

@@ -9,6 +9,7 @@
 #include "flight_files.h"
 #include "geom/text/counted.h"
 #include "geom/zone/zone_boxes.h"
+#include "ground.h"
 #include "options.h"
 #include "people.h"
 #include "submission_folder.h"
@@ -62,6 +63,24 @@ traj::MethodFiles method_files(const Options& options, const geom::BoxMapSpec& s
   return out;
 }
 
+// The ground of the folder; unless the user says the floor, no ground over the map is below it.
+std::optional<geom::GroundModel> ground_of(const Options& options, const geom::BoxMap& map,
+                                           traj::SubmissionMethod& method,
+                                           SubmissionFolder& folder) {
+  auto ground = submitting::take_ground(options.terrain, map, method, folder);
+  if (ground && !options.says_floor()) {
+    method.floor = submitting::floor_over(*ground, map.spec().bounds);
+  }
+  return ground;
+}
+
+void require_terrain(const traj::SubmissionMethod& method, const FlightFiles& flights) {
+  if (!method.ground_model || flights.any_over_terrain()) return;
+  throw cli::UsageError(
+      "--ground-model is for missions with heights above terrain, and there is none: leave it and "
+      "--terrain-error out");
+}
+
 // Missions have no times of their own, so trajectories alone are compared.
 std::optional<traj::FlightPairs> compared(const cli::Common& common, FlightFiles& flights,
                                           const traj::SubmissionMethod& method) {
@@ -79,15 +98,20 @@ std::optional<traj::FlightPairs> compared(const cli::Common& common, FlightFiles
 
 // Of few enough flights for a browser.
 void add_page(const cli::Common& common, const FlightFiles& flights,
-              const traj::SubmittedFlights& open, const traj::SubmissionMethod& method,
-              const std::string& by, SubmissionFolder& folder) {
+              const traj::SubmittedFlights& open, const std::string& by, SubmissionFolder& folder) {
   if (flights.count() > kMostShown) {
     common.warn(fmt::format("{} are too many for a page, so there is none (at most {})",
                             geom::counted(flights.count(), "flight"), kMostShown));
     return;
   }
-  folder.add("page.html", submitting::view_page(common, shown_files(flights, folder), method,
-                                                open.placement(), "Flights of " + by));
+  folder.add("page.html",
+             submitting::view_page(common, shown_files(flights, folder), open, "Flights of " + by));
+}
+
+void add_scripts(SubmissionFolder& folder) {
+  for (const traj::VerifyScript& one : traj::verify_scripts()) {
+    folder.add("verify/" + std::string(one.name), one.text);
+  }
 }
 
 // The folder says which flights come too near, and so does the exit code.
@@ -123,9 +147,12 @@ int main(int argc, char** argv) {
     const auto tubes = submitting::take_tubes(options.tube, submission.method, folder);
     traj::MethodFiles files = method_files(options, scenes.map().spec(), submission.method, folder);
     if (tubes) files.tubes = &*tubes;
+    const auto ground = ground_of(options, scenes.map(), submission.method, folder);
+    if (ground) files.ground = &*ground;
     const traj::SubmittedFlights open(scenes, submission.method, files);
     FlightFiles flights(common, open, folder, submission.method.together);
     for (const std::string& file : options.flights) flights.add(file, scenes.map());
+    require_terrain(submission.method, flights);
     flights.write();
     if (flights.refused() > 0) {
       cli::complain("skyway-submit",
@@ -142,12 +169,8 @@ int main(int argc, char** argv) {
     write_claims(flights.claims(), folder);
     folder.add("submission.json", traj::to_json_line(submission));
     folder.add("summary.html", traj::summary_page(operation, submission, flights.claims()));
-    for (const traj::VerifyScript& one : traj::verify_scripts()) {
-      folder.add("verify/" + std::string(one.name), one.text);
-    }
-    if (!options.no_page) {
-      add_page(common, flights, open, submission.method, operation.by.name, folder);
-    }
+    add_scripts(folder);
+    if (!options.no_page) add_page(common, flights, open, operation.by.name, folder);
     const std::size_t bytes = folder.bytes();
     const std::string hash = folder.commit(kMadeBy);
     cli::tell(common, "skyway-submit",

@@ -35,6 +35,7 @@ void Options::add_to(CLI::App& app) {
   cli::add_origin(app, placement_);
   cli::add_geoid_grid(app, placement_);
   cli::add_ground(app, placement_);
+  terrain.add_to(app);
   app.add_option("--volumes", asked_.volumes,
                  "how many volumes of airspace a flight has at most (default 8)")
       ->check(CLI::Range(std::size_t{1}, traj::kMostVolumes));
@@ -81,11 +82,18 @@ void Options::add_risk(CLI::App& app) {
       ->check(CLI::Range(1.0, 80.0));
   app.add_option("--ground-level", floor_,
                  "metres in the map's z: no ground below the flights is lower (default: the floor "
-                 "of the map's bounds)");
+                 "of the map's bounds, or the lowest ground of --ground-model over the map, if "
+                 "that is lower)");
 }
 
 void Options::require_sound(const CLI::App& app) const {
   cli::only_for(app, contingency_ == "stop", {"--reaction", "--stop-tilt"}, "--contingency stop");
+  terrain.refuse_idle({});
+  if (terrain.any() && terrain.file().empty()) {
+    throw cli::UsageError(
+        "--ground-model: expected a file of skyway-footprints --ground-of, which becomes a part of "
+        "the folder, found the height of flat ground");
+  }
   for (const char* option : cli::kSpacingOptions) {
     cli::only_for(app, together_, {option}, "--together");
   }

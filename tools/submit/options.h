@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/content/terrain_option.h"
 #include "cli/option/autopilot_option.h"
 #include "cli/option/limit_options.h"
 #include "cli/option/vehicle_option.h"
@@ -26,8 +27,10 @@ struct Options {
   const std::string& params() const { return autopilot_.params; }  // empty: none
   const std::shared_ptr<const geom::GeoidGrid>& geoid_grid() const { return placement_.geoid_grid; }
   bool no_page = false;
+  bool says_floor() const { return floor_.has_value(); }
   cli::VehicleOptions vehicle;
   cli::LimitOptions limits;
+  cli::TerrainOption terrain;
 
   // Must outlive the app.
   void add_to(CLI::App& app);

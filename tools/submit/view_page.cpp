@@ -7,11 +7,10 @@
 namespace submitting {
 
 std::string view_page(const cli::Common& common, const std::vector<std::string>& files,
-                      const traj::SubmissionMethod& method, const traj::Placement& placement,
-                      const std::string& title) {
+                      const traj::SubmittedFlights& flights, const std::string& title) {
   cli::DroneFileOptions missions{.format = cli::kAuto};
-  missions.reading.placement = placement;
-  missions.reading.rules.return_height = method.return_height;
+  missions.reading = flights.reading();
+  missions.autopilot.flier = flights.reading().flier;
   const cli::ContentKinds kinds{
       .archives = true, .drone_files = &missions, .expected = "a trajectory or a mission"};
   const cli::Contents contents = cli::read_contents(files, kinds);

@@ -6,14 +6,12 @@
 #include <vector>
 
 #include "cli/run.h"
-#include "traj/mission/formats/placement.h"
-#include "traj/submit/submission.h"
+#include "traj/submit/submitted_flights.h"
 
 namespace submitting {
 
-// Of these files, which are read again. `placement`: of missions.
+// Of these files, which are read again, missions as `flights` reads them.
 std::string view_page(const cli::Common& common, const std::vector<std::string>& files,
-                      const traj::SubmissionMethod& method, const traj::Placement& placement,
-                      const std::string& title);
+                      const traj::SubmittedFlights& flights, const std::string& title);
 
 }  // namespace submitting

@@ -44,12 +44,23 @@ std::optional<CorridorShape> regions_record(const FileFlight& file,
   const FlownMission* mission = mission_of(file.flown);
   if (!mission) return std::nullopt;
   CorridorShape shape{file.id, provenance, {}};
-  for (const Sweep& sweep : mission->sweeps) {
-    if (sweep.hull.size() < 3) continue;
+  const auto add = [&shape](std::vector<Vec3> polygon) {
     CorridorShape::Piece& piece = shape.pieces.emplace_back();
-    piece.vertices = sweep.hull;
-    std::vector<std::uint32_t>& face = piece.faces.emplace_back(sweep.hull.size());
+    std::vector<std::uint32_t>& face = piece.faces.emplace_back(polygon.size());
     std::iota(face.begin(), face.end(), 0u);
+    piece.vertices = std::move(polygon);
+  };
+  if (mission->terrain) {
+    for (std::size_t i = 0; i < mission->leg_band.size(); ++i) {
+      const Vec3 up(0, 0, mission->leg_band[i]);
+      const Vec3& a = mission->path[i];
+      const Vec3& b = mission->path[i + 1];
+      if ((b - a).head<2>().norm() > 0) add({a - up, b - up, b + up, a + up});
+    }
+  } else {
+    for (const Sweep& sweep : mission->sweeps) {
+      if (sweep.hull.size() >= 3) add(sweep.hull);
+    }
   }
   if (shape.pieces.empty()) return std::nullopt;
   return shape;

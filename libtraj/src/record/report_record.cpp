@@ -115,8 +115,7 @@ JsonLine object_of(const ReturnReport& returns, const geom::BoxMap& map) {
 
 JsonLine object_of(const TerrainClaim& terrain) {
   JsonLine line;
-  line.add("model", terrain.model).add("error", terrain.error).add("spacing", terrain.spacing);
-  line.add("lag", terrain.lag).add("band", terrain.band);
+  add(line, terrain);
   return line;
 }
 

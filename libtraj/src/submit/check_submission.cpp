@@ -15,6 +15,7 @@
 #include "geom/base/error.h"
 #include "geom/base/in_order.h"
 #include "geom/map/box_map_file.h"
+#include "geom/map/ground_model.h"
 #include "geom/record/scenes.h"
 #include "geom/text/counted.h"
 #include "geom/text/json_line.h"
@@ -121,6 +122,7 @@ class Folder {
     }
     if (submission_.population) known.insert("population.csv");
     if (submission_.method.tubes) known.insert(kTubesFile);
+    if (submission_.method.ground_model) known.insert(kGroundFile);
     for (const std::string& mission : submission_.missions) known.insert("missions/" + mission);
     for (const FlightClaims& one : claims_) {
       known.insert(one.volumes);
@@ -165,6 +167,7 @@ class Folder {
       return Refusal{"submission.json", "it names an autopilot that nobody knows"};
     }
     if (auto why = why_tubes_differ()) return why;
+    if (auto why = why_ground_differs()) return why;
     if (submission_.flights != claims_.size()) {
       return Refusal{"submission.json", fmt::format("it names {} flights, and claims.jsonl {}",
                                                     submission_.flights, claims_.size())};
@@ -207,6 +210,19 @@ class Folder {
     return std::nullopt;
   }
 
+  // That it is like the world stays an assumption, as of the map.
+  std::optional<Refusal> why_ground_differs() {
+    const auto& ground = submission_.method.ground_model;
+    if (!ground) return std::nullopt;
+    if (!has(kGroundFile)) return Refusal{"submission.json", "its ground is not in the folder"};
+    if (files_.listed(kGroundFile).sha256 != ground->sha256) {
+      return Refusal{kGroundFile,
+                     fmt::format("it is not {}, whose hash submission.json has", ground->name)};
+    }
+    ground_.emplace(geom::read_ground(name_of(kGroundFile)));
+    return std::nullopt;
+  }
+
   // --- flights --------------------------------------------------------------------------------
 
   struct Item {
@@ -225,6 +241,7 @@ class Folder {
     if (method.params) files.params = file(kParamsFile);
     if (method.geoid_grid) files.geoid_grid = file(kGeoidFile);
     if (tubes_) files.tubes = &*tubes_;
+    if (ground_) files.ground = &*ground_;
     const SubmittedFlights open(scenes, method, files);
     std::vector<FlightInScene> missions;
     for (const std::string& name : submission_.missions) {
@@ -232,9 +249,19 @@ class Folder {
         missions.push_back(std::move(mission));
       }
     }
+    if (ground_ && !any_over_terrain(missions)) {
+      return Refusal{"submission.json",
+                     "it names a ground, and no mission counts its heights from terrain"};
+    }
     if (method.together) set_.emplace(*method.together);
     if (auto why = first_refusal(open, missions)) return why;
     return why_pairs_differ();
+  }
+
+  static bool any_over_terrain(const std::vector<FlightInScene>& missions) {
+    return std::any_of(missions.begin(), missions.end(), [](const FlightInScene& one) {
+      return one.flight->report().terrain.has_value();
+    });
   }
 
   // The flights in their order: records, each with its certificate, and then missions.
@@ -415,6 +442,7 @@ class Folder {
   std::optional<PopulationOnMap> people_;
   std::optional<FlightSet> set_;  // of trajectories, where they are compared
   std::optional<TubeReports> tubes_;
+  std::optional<geom::GroundModel> ground_;
   std::vector<std::string> not_verified_;
 };
 

@@ -133,9 +133,28 @@ bool lasts(const Volume4d& volume, const Volume4d& of) {
          geom::seconds_between(*of.end, *volume.end).least >= 0;
 }
 
-}  // namespace
-
-namespace {
+// Heights of buffers count from the floor, so ground that is lower makes them too small.
+std::optional<std::string> why_floor_too_high(const Volume4d& buffer, const RiskTask& task,
+                                              std::string_view source) {
+  if (!task.ground) return std::nullopt;
+  const geom::MapOutline outline = geom::outline_on_map(
+      buffer.outline, task.origin, geom::CircleSide::around, "a ground risk buffer", source);
+  const Vec2 bulge = Vec2::Constant(outline.bulge);
+  geom::Rectangle region{outline.ring.front() - bulge, outline.ring.front() + bulge};
+  for (const Vec2& p : outline.ring) {
+    region = {region.min.cwiseMin(p - bulge), region.max.cwiseMax(p + bulge)};
+  }
+  if (task.ground->axes != geom::Axes::enu) {
+    std::swap(region.min.x(), region.min.y());
+    std::swap(region.max.x(), region.max.y());
+  }
+  const geom::GroundRange ground = task.ground->ground->range(region);
+  if (!ground.any_known || ground.low >= task.floor) return std::nullopt;
+  return fmt::format(
+      "the ground below is as low as z {:.1f} by the height model, and heights of ground risk "
+      "buffers count from z {:g}: give --ground-level {:.1f}",
+      ground.low, task.floor, std::floor(ground.low * 10) / 10);
+}
 
 // A volume around all of these places, with few corners.
 Volume4d made(AirspacePrism prism, double across, const RiskTask& task, std::string_view source) {
@@ -207,6 +226,7 @@ std::optional<std::string> why_risk_not_held(const geom::IntentVolumes& intent,
                      task.origin, source)) {
       return fmt::format("ground risk buffer {} does not reach {} m around its volume", i, across);
     }
+    if (auto why = why_floor_too_high(risk.buffers[i].volume, task, source)) return why;
   }
   return std::nullopt;
 }

@@ -76,6 +76,12 @@ JsonLine json_of(const FlightPairs& pairs) {
       out.add("compared", pairs.compared).add("too_near", pairs.refused).add("named", pairs.named));
 }
 
+JsonLine json_of(const TerrainClaim& claim) {
+  JsonLine out;
+  add(out, claim);
+  return out;
+}
+
 JsonLine json_of(const TubeClaim& claim) {
   JsonLine out;
   add(out, claim);
@@ -100,6 +106,10 @@ JsonLine json_of(const SubmissionMethod& method) {
       .add("geoid", method.geoid)
       .add("geoid_grid", method.geoid_grid)
       .add("ground", method.ground);
+  if (method.ground_model) {
+    out.add("ground_model", json_of(*method.ground_model))
+        .add("terrain_error", method.terrain_error);
+  }
   if (method.energy) out.add("energy", json_of(*method.energy));
   geom::add(out, method.limits);
   out.add("endurance", method.endurance).add("begins", method.begins).add("ends", method.ends);
@@ -244,6 +254,10 @@ SubmissionMethod read_method(const JsonFields& fields, std::string_view source) 
   out.geoid = number(fields, "geoid", -1e3, 1e3);
   if (fields.has("geoid_grid")) out.geoid_grid = fields.text("geoid_grid");
   out.ground = number_or_nothing(fields, "ground", -1e5, 1e5);
+  if (fields.has("ground_model")) {
+    out.ground_model = read_source_file(fields.value("ground_model"), source);
+    out.terrain_error = number(fields, "terrain_error", 0, 1e3);
+  }
   if (fields.has("energy")) out.energy = read_energy(member(fields, "energy", source));
   out.endurance = number_or_nothing(fields, "endurance", 1e-9, 1e9);
   out.begins = instant(fields, "begins");
@@ -325,6 +339,7 @@ std::string to_json_line(const FlightClaims& claims) {
       .add("duration", claims.duration)
       .add("clearance", claims.clearance);
   if (claims.tube) out.add("tube", json_of(*claims.tube));
+  if (claims.terrain) out.add("terrain", json_of(*claims.terrain));
   out.add("speed", claims.speed)
       .add("top", claims.top)
       .add("contingency_across", claims.contingency.across)
@@ -354,6 +369,9 @@ FlightClaims parse_flight_claims(std::string_view json, std::string_view source,
   out.duration = number(fields, "duration", 0, kMost);
   out.clearance = number_or_nothing(fields, "clearance", -kMost, kMost);
   if (fields.has("tube")) out.tube = read_tube_claim(member(fields, "tube", source, line));
+  if (fields.has("terrain")) {
+    out.terrain = read_terrain_claim(member(fields, "terrain", source, line));
+  }
   out.speed = number(fields, "speed", 0, kMost);
   out.top = number(fields, "top", -kMost, kMost);
   out.contingency = {number(fields, "contingency_across", 0, kMost),

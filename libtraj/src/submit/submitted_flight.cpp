@@ -44,7 +44,7 @@ std::optional<double> SubmittedFlight::speed() const {
 }
 
 RiskTask SubmittedFlight::risk_task() const {
-  return {method_.risk, *speed(), method_.floor, method_.origin};
+  return {method_.risk, *speed(), method_.floor, method_.origin, ground_};
 }
 
 FlightClaims SubmittedFlight::claims(const geom::IntentVolumes& intent,
@@ -60,6 +60,7 @@ FlightClaims SubmittedFlight::claims(const geom::IntentVolumes& intent,
   out.duration = duration();
   if (report_.result.clearance) out.clearance = report_.result.clearance->value;
   if (report_.tube) out.tube = report_.tube->claim;
+  out.terrain = report_.terrain;
   out.speed = *speed();
   out.contingency = contingency_size(method_.risk, out.speed);
   out.top = 0;

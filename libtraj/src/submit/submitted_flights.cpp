@@ -6,6 +6,7 @@
 
 #include "geom/base/error.h"
 #include "geom/text/json_fields.h"
+#include "geom/zone/ground_band.h"
 #include "traj/mission/formats/mission_formats.h"
 #include "traj/mission/read_mission.h"
 #include "traj/record/trajectory_record.h"
@@ -28,15 +29,21 @@ SubmittedFlights::SubmittedFlights(geom::Scenes& scenes, const SubmissionMethod&
                                    const MethodFiles& files)
     : scenes_(scenes),
       method_(method),
-      flier_(flier_of(method, files.params)),
       tubes_(files.tubes),
       bare_(scenes.map(), {}, geom::Differences::refused, scenes.budget()) {
-  placement_.origin = method.origin;
-  placement_.geoid = method.geoid;
-  placement_.ground = method.ground;
+  reading_.flier = flier_of(method, files.params);
+  reading_.rules.return_height = method.return_height;
+  reading_.placement.origin = method.origin;
+  reading_.placement.geoid = method.geoid;
+  reading_.placement.ground = method.ground;
+  if (files.ground) {
+    geom::require_same_zero(*files.ground, scenes.map(), kGroundFile);
+    reading_.rules.terrain =
+        TerrainRules{files.ground, scenes.map().spec().frame.axes, method.terrain_error};
+  }
   if (!files.geoid_grid) return;
   std::istringstream in(*files.geoid_grid);
-  placement_.geoid_grid =
+  reading_.placement.geoid_grid =
       std::make_shared<const geom::GeoidGrid>(geom::read_geoid_grid(in, kGeoidFile));
 }
 
@@ -60,8 +67,9 @@ FlightInScene SubmittedFlights::of_record(const std::string& text, const std::st
     bare = bare_.shared_scene_for(room, source, line);
     tubes.emplace(*tubes_, *bare);
   }
-  out.flight = std::make_unique<SubmittedTrajectory>(*out.scene, record, method_, flier_, source,
-                                                     line, tubes);
+  out.flight = std::make_unique<SubmittedTrajectory>(*out.scene, record, method_, reading_.flier,
+                                                     source, line, tubes);
+  out.flight->know_ground(reading_.rules.terrain);
   return out;
 }
 
@@ -72,16 +80,14 @@ std::vector<FlightInScene> SubmittedFlights::of_mission(const std::string& text,
                                     .found = "a mission",
                                     .advice = "leave --tube or the mission out"});
   }
-  MissionReading reading;
-  reading.placement = placement_;
-  reading.rules.return_height = method_.return_height;
-  reading.flier = flier_;
   const MissionFormat& format = recognised_mission_format(text);
   const std::shared_ptr<const geom::CollisionScene> scene = scenes_.shared_scene_for({}, source, 0);
   std::vector<FlightInScene> out;
   for (const FileFlight& one :
-       read_mission(text, source, format, reading, scene->map().spec().frame)) {
-    out.push_back({scene, std::make_unique<SubmittedMission>(*scene, one, method_, flier_)});
+       read_mission(text, source, format, reading_, scene->map().spec().frame)) {
+    out.push_back(
+        {scene, std::make_unique<SubmittedMission>(*scene, one, method_, reading_.flier)});
+    out.back().flight->know_ground(reading_.rules.terrain);
   }
   return out;
 }

@@ -61,6 +61,10 @@ SubmittedMission::SubmittedMission(const geom::CollisionScene& scene, const File
   if (!is_mission_) return;
   mission_ = *mission;
   mission_.path_stray += file.flown.navigation;
+  if (mission->terrain) {
+    seconds_ = mission->seconds_over_terrain;
+    return;
+  }
   if (mission->drift.empty()) {  // of DJI: on its way, with turns that are swept
     seconds_ = seconds_of({stages_of(*mission, *mission->speed)});
     const bool height_known = method.return_height || mission->return_height;
@@ -79,6 +83,9 @@ std::optional<std::string> SubmittedMission::why_no_times() const {
     return "the file does not say where home is, how fast the vehicle flies, or for which "
            "autopilot: "
            "make a trajectory of it (skyway-import-trajectory)";
+  }
+  if (method_.risk.contingency == ContingencyRule::ways_home && mission_.terrain) {
+    return "over terrain nobody knows how high a return begins: leave --contingency return out";
   }
   if (method_.risk.contingency == ContingencyRule::ways_home && !return_) {
     return "the height of the return is a setting of the aircraft: give it with --return-height, "
@@ -101,13 +108,19 @@ std::optional<std::string> SubmittedMission::why_no_times() const {
   return fmt::format("it takes about {:.0f} s, and --between leaves it {:.0f} s", seconds_, least);
 }
 
+double SubmittedMission::band_of(std::size_t leg) const {
+  const std::size_t ascent = mission_.ends.takeoff_from ? 1 : 0;
+  const bool has_band = leg >= ascent && leg - ascent < mission_.leg_band.size();
+  return has_band ? mission_.leg_band[leg - ascent] : 0;
+}
+
 std::vector<SubmittedMission::Region> SubmittedMission::regions() const {
   std::vector<Region> out;
   const Vec3 around = Vec3::Constant(method_.buffer) + mission_.path_stray;
   const Vec3 planned = scene_.half() + around;
   if (const auto way = whole_way(scene_, mission_)) {
     for (std::size_t i = 1; i < way->size(); ++i) {
-      out.push_back({{(*way)[i - 1], (*way)[i]}, planned});
+      out.push_back({{(*way)[i - 1], (*way)[i]}, planned + Vec3(0, 0, band_of(i - 1))});
     }
   }
   for (const Sweep& sweep : mission_.sweeps) out.push_back({sweep.hull, planned});

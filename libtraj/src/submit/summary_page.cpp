@@ -233,6 +233,7 @@ class Page {
         "down.");
     if (has_kind("mission")) {
       item(mission_reading());
+      if (method_.ground_model) assume_terrain();
       item(fmt::format("Missions are flown between {} and {}. Their durations are estimates.",
                        method_.begins.value_or(""), method_.ends.value_or("")));
     }
@@ -271,6 +272,25 @@ class Page {
           method_.navigation->across, method_.navigation->vertical);
     }
     return out + ".";
+  }
+
+  // What decides how high a mission above terrain is flown, and is in no file.
+  void assume_terrain() {
+    TerrainClaim most;
+    for (const FlightClaims& one : flights_) {
+      if (!one.terrain) continue;
+      most.spacing = std::max(most.spacing, one.terrain->spacing);
+      most.lag = std::max(most.lag, one.terrain->lag);
+      most.band = std::max(most.band, one.terrain->band);
+    }
+    item(
+        fmt::format("Heights above terrain count from the autopilot's own terrain, which is within "
+                    "{:g} m of the ground at its posts, {:g} m apart. The ground is as "
+                    "terrain.ground says. The autopilot has its terrain loaded when it arms, does "
+                    "not say that it clamps it, and heeds no rangefinder. The vehicle is up to "
+                    "{:g} m behind its terrain. All of this makes a band of heights of up to "
+                    "{:.1f} m, which is what was proved clear.",
+                    method_.terrain_error, most.spacing, most.lag, most.band));
   }
 
   double widest_tube() const {
@@ -434,6 +454,7 @@ class Page {
     }
     if (submission_.population) source_row("Population", *submission_.population);
     if (method_.tubes) source_row("Proved tubes", *method_.tubes);
+    if (method_.ground_model) source_row("Ground", *method_.ground_model);
     for (const SourceFile& zone : submission_.zones) source_row("Zones", zone);
     end_table();
   }

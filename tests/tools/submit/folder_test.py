@@ -10,6 +10,7 @@ import json
 import os
 import pathlib
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
@@ -73,6 +74,36 @@ def make_with_tubes(where):
                 "--origin", "37,-122,10", "--tube", tubes, "--no-page", "-q", "-o", where / "tubes")
     assert made.returncode == 0, made.stderr
     return where / "tubes"
+
+
+MISSION = """QGC WPL 110
+0 1 0 16 0 0 0 0 46.979985 7.450026 547 1
+1 0 3 22 0 0 0 0 46.979985 7.450026 60 1
+2 0 2 178 0 3 0 0 0 0 0 1
+3 0 10 16 2 0 0 0 46.979985 7.450600 60 1
+4 0 10 16 2 0 0 0 46.979985 7.450026 60 1
+5 0 10 21 0 0 0 0 46.979985 7.450026 0 1
+"""
+
+
+def make_over_terrain(where):
+    """A folder with a mission above terrain, its height model, and all else that missions may have; and another height model."""
+    tif, hill, ground, other = source / "data/samples/town-ground.tif", where / "hill.boxmap", where / "hill.ground", where / "other.ground"
+    assert tool("footprints", tif, "--origin", "46.979985,7.450026", "--ceiling", "700", "-q", "-o", hill).returncode == 0
+    for name, error in ((ground, "1"), (other, "2")):
+        made = tool("footprints", tif, "--ground-of", hill, "--cell", "10", "--vertical-error", error, "-q", "-o", name)
+        assert made.returncode == 0, made.stderr
+    (where / "town.wpl").write_text(MISSION.replace(" ", "\t").replace("QGC\tWPL\t", "QGC WPL "), encoding="utf-8")
+    (where / "slow.param").write_text("TERRAIN_SPACING,30\nWPNAV_SPEED,300\nWPNAV_SPEED_UP,150\n", encoding="utf-8")
+    levels = struct.pack(">4d2i", 46.5, 7.0, 0.5, 0.5, 3, 3) + struct.pack(">9f", *[48.0] * 9)
+    (where / "sea.gtx").write_bytes(levels)
+    made = tool("submit", hill, where / "town.wpl", "--operation", source / "data/samples/operation.json", "--vehicle", "quad2kg",
+                "--params", where / "slow.param", "--ground", "547", "--origin", "46.979985,7.450026,590", "--return-height", "80",
+                "--geoid-grid", where / "sea.gtx", "--vmax", "11", "--navigation", "0.2,0.3", "--between", f"{EPOCH},2026-05-04T07:00:00Z",
+                "--ground-model", ground, "--terrain-error", "3", "--ground-buffer", "ballistic", "--population", tif, "--no-page",
+                "-q", "-o", where / "terrain")
+    assert made.returncode == 0, made.stderr
+    return where / "terrain"
 
 
 def listed(folder):
@@ -198,6 +229,16 @@ def shrink(folder, where, name, key):
             expect_refused(mutant, f"{name}: {how} of {i}", script=False)
 
 
+def shrink_all(folder, where, name):
+    """Every volume at once, since those of a mission may be alike."""
+    for how in ("upper", "lower", "ring"):
+        mutant = copy(folder, where)
+        rows = (folder / name).read_text(encoding="utf-8").split("\n")
+        (mutant / name).write_text("\n".join(squeezed(row, how) if row.startswith('{"volume"') else row for row in rows), encoding="utf-8")
+        sign(mutant)
+        expect_refused(mutant, f"{name}: {how} of all", "no volume holds the vehicle", script=False)
+
+
 def change_tubes(folder, where):
     """Tubes, signed anew wherever their hash stands: what they say is not what the other files say."""
     lines = [json.loads(line) for line in (folder / "tubes.jsonl").read_text(encoding="utf-8").splitlines()]
@@ -227,6 +268,85 @@ def change_tubes(folder, where):
             (mutant / "claims.jsonl").write_text("".join(json.dumps(one, separators=(",", ":")) + "\n" for one in rows), encoding="utf-8")
         sign(mutant)
         expect_refused(mutant, f"a tube that is {what}", script=what not in ("of more",))
+
+
+def set_text(path, *changes):
+    text = path.read_text(encoding="utf-8")
+    for old, new in changes:
+        assert old in text, (path.name, old)
+        text = text.replace(old, new)
+    path.write_text(text, encoding="utf-8")
+
+
+def change_ground(folder, where):
+    """Height models and what is said of them, signed anew: lost, swapped, damaged, and of no use."""
+    def hash_of(path):
+        return hashlib.sha256(path.read_bytes()).hexdigest()
+
+    def swap(mutant, data):
+        """As its owner would, wherever the hash stands."""
+        old = hash_of(mutant / "terrain.ground")
+        (mutant / "terrain.ground").write_bytes(data)
+        for name in ("submission.json", "summary.html"):
+            set_text(mutant / name, (old, hash_of(mutant / "terrain.ground")))
+
+    def try_it(what, change, names):
+        mutant = copy(folder, where)
+        change(mutant)
+        sign(mutant)
+        expect_refused(mutant, what, names, script=False)
+
+    model = json.loads((folder / "submission.json").read_text(encoding="utf-8"))["method"]["ground_model"]
+    said = '"ground_model":' + json.dumps(model, separators=(",", ":")) + ',"terrain_error":3,'
+    other = (where / "other.ground").read_bytes()
+    damaged = bytearray((folder / "terrain.ground").read_bytes())
+    damaged[len(damaged) // 2] ^= 1
+
+    def forget(mutant, left=""):
+        set_text(mutant / "submission.json", (said, left))
+        (mutant / "terrain.ground").unlink()
+
+    try_it("another height model", lambda m: (m / "terrain.ground").write_bytes(other), "terrain.ground: refused: it is not hill.ground")
+    try_it("another height model, and its hash", lambda m: swap(m, other), "volumes/town.json")
+    try_it("a damaged height model", lambda m: swap(m, bytes(damaged)), "terrain.ground")
+    try_it("no height model", lambda m: (m / "terrain.ground").unlink(), "its ground is not in the folder")
+    try_it("no word of a height model", forget, "found one above terrain")
+    try_it("a height model that nobody names", lambda m: set_text(m / "submission.json", (said, "")), "terrain.ground: refused: no part")
+    try_it("no terrain error", lambda m: set_text(m / "submission.json", (',"terrain_error":3', "")), "terrain_error")
+    try_it("a terrain error alone", lambda m: forget(m, '"terrain_error":3,'), "submission.json: refused: skyway-submit does not write it so")
+    try_it("less terrain error", lambda m: set_text(m / "submission.json", ('"terrain_error":3', '"terrain_error":0')), "claims.jsonl")
+    try_it("more terrain error", lambda m: set_text(m / "submission.json", ('"terrain_error":3', '"terrain_error":9')), "volumes/town.json")
+    try_it("a mission above home", lambda m: set_text(m / "missions/town.wpl", ("\t10\t", "\t3\t")), "no mission counts its heights from terrain")
+    try_it("a floor above the ground", lambda m: set_text(m / "submission.json", (f'"floor":{floor_of(folder)}', '"floor":539.0000000001')), "the ground below is as low as")
+
+
+def floor_of(folder):
+    return json.dumps(json.loads((folder / "submission.json").read_text(encoding="utf-8"))["method"]["floor"])
+
+
+def members(record, schema):
+    """Of the properties of a schema of an object, and of its objects, those that the record has; and all."""
+    found, known = set(), set()
+    for key, one in schema.get("properties", {}).items():
+        known.add(key)
+        if key in record:
+            found.add(key)
+        inner = members(record.get(key) if isinstance(record.get(key), dict) else {}, one)
+        found |= {f"{key}.{name}" for name in inner[0]}
+        known |= {f"{key}.{name}" for name in inner[1]}
+    return found, known
+
+
+def require_all_members(folders):
+    """All that the schemas of submission.json and claims.jsonl name stands in a folder that was made, but for other shapes of a separation."""
+    never = {"submission": {"method.together.separation_box", "method.together.downwash"}, "flight_claims": set()}
+    for kind, name in (("submission", "submission.json"), ("flight_claims", "claims.jsonl")):
+        found = set()
+        for folder in folders:
+            for line in (folder / name).read_text(encoding="utf-8").splitlines():
+                some, known = members(json.loads(line), schemas.written(source)[kind])
+                found |= some
+        assert known - found <= never[kind], (kind, known - found - never[kind])
 
 
 rows_of = {}
@@ -289,6 +409,7 @@ def main():
         tubes = make_with_tubes(where)
         checked = tool("check", tubes)
         assert checked.returncode == 0, checked.stderr
+        keep_their_schemas(tubes, checked.stdout)
         assert json.loads(checked.stdout)["not_verified"] == ["the proofs of the tubes in tubes.jsonl"]
         followed = run(sys.executable, "-B", tubes / "verify/verify_folder.py", tubes)
         assert followed.returncode == 0, followed.stdout
@@ -296,6 +417,22 @@ def main():
         change_tubes(tubes, where)
         change_values(tubes, where, "submission.json", keep=("volumes", "drag", "geoid"))  # of missions
         change_values(tubes, where, "claims.jsonl")
+        folders.append(tubes)
+        if (tools / "skyway-footprints").exists():  # a build without GDAL has no height models
+            terrain = make_over_terrain(where)
+            checked = tool("check", terrain)
+            assert checked.returncode == 0 and json.loads(checked.stdout)["not_verified"] == [
+                "that population.csv is of town-ground.tif"], checked
+            followed = run(sys.executable, "-B", terrain / "verify/verify_folder.py", terrain)
+            assert followed.returncode == 0, followed.stdout
+            keep_their_schemas(terrain, checked.stdout)
+            change_files(terrain, where)
+            change_ground(terrain, where)
+            # Looser limits of the vehicle are true of a mission, too; it ends without a return, and its sea level is the grid's.
+            change_values(terrain, where, "submission.json", keep=("volumes", "limits", "return_height", "geoid"))
+            change_values(terrain, where, "claims.jsonl")
+            shrink_all(terrain, where, "volumes/town.json")
+            require_all_members([*folders, terrain])
         # A page is for looking: the check says that it is not verified.
         mutant = copy(folders[0], where)
         (mutant / "page.html").write_text("<p>another</p>", encoding="utf-8")

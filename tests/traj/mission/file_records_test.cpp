@@ -59,5 +59,17 @@ TEST(FileRecords, HaveTheRegionsOfAMissionThatAreMoreThanALine) {
   EXPECT_EQ(shape->pieces[0].faces, (std::vector<std::vector<std::uint32_t>>{{0, 1, 2}}));
 }
 
+TEST(FileRecords, HaveTheBandsOfAMissionAboveTerrain) {
+  FlownMission mission;
+  mission.path = {{0, 0, 5}, {9, 0, 7}, {9, 0, 9}};
+  mission.leg_band = {2, 1};
+  mission.terrain = TerrainClaim{};
+  const auto shape = regions_record(file_of({mission}), kMadeFor);
+  ASSERT_TRUE(shape);
+  ASSERT_EQ(shape->pieces.size(), 1u) << "an upright leg has no face";
+  EXPECT_EQ(shape->pieces[0].vertices,
+            (std::vector<Vec3>{{0, 0, 3}, {9, 0, 5}, {9, 0, 9}, {0, 0, 7}}));
+}
+
 }  // namespace
 }  // namespace traj

@@ -7,6 +7,7 @@
 
 #include "geom/base/error.h"
 #include "geom/map/geographic_frame.h"
+#include "geom/map/ground_model.h"
 #include "traj/mission/airspace/volume_around.h"
 #include "traj/submit/risk_geojson.h"
 
@@ -122,6 +123,37 @@ TEST(RiskVolumes, AreRefusedWhereTheyAreTooSmallOrTooShort) {
   faster.speed = 10.2;
   EXPECT_TRUE(traj::why_risk_not_held(around, good, faster, "test").has_value());
   EXPECT_FALSE(refused([](auto&) {}));
+}
+
+// A valley of 10 m depth, where x (in the map's axes) is from 1000 to 1100 m.
+geom::GroundModel valley() {
+  geom::GroundGridSpec spec;
+  spec.corner = {-2000, -2000};
+  spec.cell = 100;
+  spec.columns = spec.rows = 40;
+  std::vector<double> heights(1600, 0.0);
+  for (std::size_t row = 0; row < 40; ++row) heights[row * 40 + 30] = -10;
+  return {spec, heights, heights};
+}
+
+TEST(RiskVolumes, AreRefusedWhereTheGroundIsLowerThanTheFloor) {
+  const geom::GroundModel ground = valley();
+  const geom::IntentVolumes beside = intent();
+  const geom::IntentVolumes over{{zone({{950, 0}, {1050, 0}, {1000, 60}}, 20, 60)}, {}};
+  const auto why = [&](const geom::IntentVolumes& around, double floor, geom::Axes axes) {
+    traj::RiskTask asked = task();
+    asked.floor = floor;
+    asked.ground = traj::TerrainRules{&ground, axes, 0};
+    return traj::why_risk_not_held(around, traj::risk_volumes(around, asked, "test"), asked,
+                                   "test");
+  };
+  EXPECT_EQ(why(over, 0, geom::Axes::enu),
+            "the ground below is as low as z -10.0 by the height model, and heights of ground risk "
+            "buffers count from z 0: give --ground-level -10.0");
+  EXPECT_EQ(why(over, -10, geom::Axes::enu), std::nullopt);
+  EXPECT_TRUE(why(over, -9.99, geom::Axes::enu));
+  EXPECT_EQ(why(beside, 0, geom::Axes::enu), std::nullopt);
+  EXPECT_EQ(why(over, 0, geom::Axes::neu), std::nullopt) << "the valley is north of it then";
 }
 
 TEST(RiskVolumes, OfWaysHomeAreTheVolumesThemselves) {

@@ -45,6 +45,28 @@ TEST(Submission, NamesTheTubesThatItsVolumesHold) {
   EXPECT_EQ(traj::to_json_line(traj::read_submission(text, "s")), text);
 }
 
+TEST(Submission, NamesTheGroundOfMissionsAboveTerrain) {
+  traj::Submission out = submission();
+  out.method.ground_model = traj::SourceFile{"hill.ground", "ef"};
+  out.method.terrain_error = 16;
+  const std::string text = traj::to_json_line(out);
+  const std::string part =
+      R"("ground_model":{"name":"hill.ground","sha256":"ef"},"terrain_error":16)";
+  ASSERT_NE(text.find(part), std::string::npos);
+  EXPECT_EQ(traj::to_json_line(traj::read_submission(text, "s")), text);
+  const auto with = [&](const char* other) {
+    std::string changed = text;
+    return changed.replace(changed.find(part), part.size(), other);
+  };
+  EXPECT_THROW(
+      traj::read_submission(with(R"("ground_model":{"name":"hill.ground","sha256":"ef"})"), "s"),
+      geom::InputError)
+      << "an error of 0 is said";
+  const std::string alone = with(R"("terrain_error":16)");
+  EXPECT_NE(traj::to_json_line(traj::read_submission(alone, "s")), alone)
+      << "so that the check refuses it";
+}
+
 TEST(Submission, IsRefusedWithoutWhatItNeeds) {
   EXPECT_THROW(traj::read_submission("{}", "s"), geom::InputError);
   EXPECT_THROW(traj::read_submission(R"({"type":"submission","made_by":"x"})", "s"),
@@ -74,6 +96,28 @@ TEST(FlightClaims, ComeBackWithTheirTube) {
     changed.replace(changed.find(part), std::string_view(part).size(), other);
     EXPECT_THROW(traj::parse_flight_claims(changed, "c", 1), geom::InputError) << other;
   }
+}
+
+TEST(FlightClaims, ComeBackWithTheirTerrain) {
+  traj::FlightClaims claims{.id = "q1", .kind = "mission", .volumes = "v", .risk = "r"};
+  claims.terrain = traj::TerrainClaim{"sha256:ab", 16, 100, 10, 80};
+  const std::string text = traj::to_json_line(claims);
+  EXPECT_EQ(traj::to_json_line(traj::parse_flight_claims(text, "c", 1)), text);
+}
+
+TEST(SummaryPage, SaysWhatHeightsAboveTerrainRestOn) {
+  traj::Submission out = submission();
+  out.method.ground_model = traj::SourceFile{"hill.ground", "ef"};
+  out.method.terrain_error = 16;
+  traj::FlightClaims claims{.id = "q1", .kind = "mission", .begins = "2026-05-04T06:30:00Z"};
+  claims.terrain = traj::TerrainClaim{"sha256:ab", 16, 30, 10, 80.25};
+  const std::string html = traj::summary_page({}, out, {&claims, 1});
+  for (const char* part : {"within 16 m of the ground at its posts, 30 m apart", "hill.ground",
+                           "up to 10 m behind its terrain", "a band of heights of up to 80.2 m"}) {
+    EXPECT_NE(html.find(part), std::string::npos) << part;
+  }
+  EXPECT_EQ(traj::summary_page({}, submission(), {}).find("Heights above terrain"),
+            std::string::npos);
 }
 
 // What is simulated, believed and assumed stands on the page.

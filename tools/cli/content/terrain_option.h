@@ -1,7 +1,6 @@
 #pragma once
 
-// --ground-model and --terrain-error of skyway-check: what a mission's heights above terrain count
-// from.
+// --ground-model and --terrain-error: what a mission's heights above terrain count from.
 
 #include <CLI/CLI.hpp>
 #include <optional>
@@ -25,6 +24,9 @@ class TerrainOption {
 
   // The file of the ground; empty where there is none.
   std::string file() const;
+  // Whether the ground was given, and the metres of --terrain-error.
+  bool any() const { return !word_.empty(); }
+  double error() const { return error_.value_or(0); }
 
  private:
   std::string word_;

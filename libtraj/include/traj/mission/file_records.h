@@ -28,8 +28,9 @@ std::optional<geom::PathRecord> path_record(const FileFlight& file,
 // The curve of the flight, or the straight ways between its setpoints. Empty for legs.
 TrajectoryRecord trajectory_record(const FileFlight& file, const geom::Provenance& provenance);
 
-// The regions beside the legs of a mission in which the vehicle may be, as they are drawn. Nothing
-// if there are none.
+// The regions beside the legs of a mission in which the vehicle may be, as they are drawn: its
+// sweeps or, above terrain, the band of heights of each leg, as an upright face. Nothing if there
+// are none.
 std::optional<CorridorShape> regions_record(const FileFlight& file,
                                             const geom::Provenance& provenance);
 

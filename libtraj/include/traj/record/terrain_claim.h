@@ -7,6 +7,11 @@
 
 #include <string>
 
+namespace geom {
+class JsonFields;
+class JsonLine;
+}  // namespace geom
+
 namespace traj {
 
 struct TerrainClaim {
@@ -16,5 +21,10 @@ struct TerrainClaim {
   double lag = 0;      // m that the vehicle may be behind the terrain
   double band = 0;     // m: the widest, from its lowest height to its highest
 };
+
+// The members of the claim.
+void add(geom::JsonLine& line, const TerrainClaim& claim);
+// Throws geom::InputError for a member that is missing or no such number.
+TerrainClaim read_terrain_claim(const geom::JsonFields& fields);
 
 }  // namespace traj

@@ -18,15 +18,17 @@
 #include "geom/map/frame.h"
 #include "geom/record/volume4d.h"
 #include "traj/mission/airspace/volume_around.h"
+#include "traj/mission/mavlink/terrain_rules.h"
 #include "traj/submit/risk_rules.h"
 
 namespace traj {
 
 struct RiskTask {
   RiskRules rules;
-  double speed = 0;             // m/s: no instant of the flight is faster
-  double floor = 0;             // m in the map's z: no ground below the flight is lower
-  geom::GeodeticOrigin origin;  // of the map's (0, 0, 0); its height is known
+  double speed = 0;                         // m/s: no instant of the flight is faster
+  double floor = 0;                         // m in the map's z: no ground below the flight is lower
+  geom::GeodeticOrigin origin;              // of the map's (0, 0, 0); its height is known
+  std::optional<TerrainRules> ground = {};  // a height model, which the floor must agree with
 };
 
 // One contingency volume and the buffer on the ground around it.
@@ -49,8 +51,9 @@ RiskVolumes risk_volumes(const geom::IntentVolumes& intent, const RiskTask& task
                          std::string_view source);
 
 // Nothing where the risk volumes are as many, and each reaches as far around the intent's as the
-// rules ask for, at least for their times. Else which does not, in words. Sound: rounding counts
-// against them.
+// rules ask for, at least for their times; and no ground that the height model knows below a buffer
+// is lower than the floor. Else which does not, in words. Sound: rounding counts against them, and
+// the ground of the rectangle around a buffer counts as below it.
 std::optional<std::string> why_risk_not_held(const geom::IntentVolumes& intent,
                                              const RiskVolumes& risk, const RiskTask& task,
                                              std::string_view source);

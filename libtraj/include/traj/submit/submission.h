@@ -21,6 +21,7 @@
 #include "traj/flight/energy.h"
 #include "traj/mission/formats/flier.h"
 #include "traj/proof/limits.h"
+#include "traj/record/terrain_claim.h"
 #include "traj/record/tube_record.h"
 #include "traj/submit/risk_rules.h"
 #include "traj/together/check_together.h"
@@ -44,20 +45,22 @@ struct SubmissionMethod {
   std::size_t volumes = 8;      // of airspace for each flight, at most
   double buffer = 0;            // m around the vehicle and its margin
   RiskRules risk;
-  double floor = 0;                       // m in the map's z: no ground is lower
-  std::string autopilot = "any";          // whose returns the off-nominal volumes hold
-  std::optional<std::string> params;      // the operator's name of autopilot.params
-  std::optional<double> return_height;    // m above home; else the autopilot's own
-  std::optional<Uncertainty> navigation;  // how wrong it may be about its place
-  std::optional<double> drag;             // 1/s; else the usual one
-  double geoid = 0;                       // m: sea level above the ellipsoid, for missions
-  std::optional<std::string> geoid_grid;  // the operator's name of geoid.gtx, in place of this
-  std::optional<double> ground;           // m in the map's z: where missions take off
-  std::optional<Energy> energy;           // of the vehicle's profile
-  std::optional<double> endurance;        // s, as the operator says
-  std::optional<std::string> begins;      // of missions, which have no times: the first instant
-  std::optional<std::string> ends;        // and the last
-  std::optional<TogetherRule> together;   // by which trajectories are compared; exact
+  double floor = 0;                        // m in the map's z: no ground is lower
+  std::string autopilot = "any";           // whose returns the off-nominal volumes hold
+  std::optional<std::string> params;       // the operator's name of autopilot.params
+  std::optional<double> return_height;     // m above home; else the autopilot's own
+  std::optional<Uncertainty> navigation;   // how wrong it may be about its place
+  std::optional<double> drag;              // 1/s; else the usual one
+  double geoid = 0;                        // m: sea level above the ellipsoid, for missions
+  std::optional<std::string> geoid_grid;   // the operator's name of geoid.gtx, in place of this
+  std::optional<double> ground;            // m in the map's z: where missions take off
+  std::optional<SourceFile> ground_model;  // below missions above terrain: terrain.ground
+  double terrain_error = 0;                // m that the autopilot's terrain may be off that ground
+  std::optional<Energy> energy;            // of the vehicle's profile
+  std::optional<double> endurance;         // s, as the operator says
+  std::optional<std::string> begins;       // of missions, which have no times: the first instant
+  std::optional<std::string> ends;         // and the last
+  std::optional<TogetherRule> together;    // by which trajectories are compared; exact
   std::optional<SourceFile> tubes;  // whose proved tubes take the place of the margin in volumes
 };
 
@@ -101,11 +104,12 @@ struct FlightClaims {
   double margin = 0;         // m around this
   std::string begins;        // instants
   std::string ends;
-  double duration = 0;                   // s; of missions an estimate
-  std::optional<double> clearance = {};  // m: the least distance to an obstacle
-  std::optional<TubeClaim> tube = {};    // in place of the margin in its volumes
-  double speed = 0;                      // m/s: the limit that the flight keeps
-  double top = 0;                        // m above the floor: the highest of its geography
+  double duration = 0;                       // s; of missions an estimate
+  std::optional<double> clearance = {};      // m: the least distance to an obstacle
+  std::optional<TubeClaim> tube = {};        // in place of the margin in its volumes
+  std::optional<TerrainClaim> terrain = {};  // of a mission with heights above terrain
+  double speed = 0;                          // m/s: the limit that the flight keeps
+  double top = 0;                            // m above the floor: the highest of its geography
   ContingencySize contingency = {};
   double buffer = 0;                   // m: the widest of its ground risk buffers
   std::optional<double> returns = {};  // the share of the time from which its return is proved

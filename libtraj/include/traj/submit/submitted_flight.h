@@ -56,6 +56,9 @@ class SubmittedFlight {
   // m/s that it never exceeds, by its proved limits: on the speed, or on both of its parts.
   std::optional<double> speed() const;
   RiskTask risk_task() const;
+
+  // The ground below the flights of a folder, where a height model is given.
+  void know_ground(const std::optional<TerrainRules>& ground) { ground_ = ground; }
   // The claims that follow from the volumes as they were read; paths and people are left open.
   FlightClaims claims(const geom::IntentVolumes& intent, const RiskVolumes& risk) const;
 
@@ -66,6 +69,9 @@ class SubmittedFlight {
   const SubmissionMethod& method_;
   ReportRecord report_;
   std::optional<FlightReturn> return_;  // where its volumes are to be ways home
+
+ private:
+  std::optional<TerrainRules> ground_;
 };
 
 // The proved tubes of trajectories, and the scene of the vehicle without a margin.
@@ -128,6 +134,9 @@ class SubmittedMission : public SubmittedFlight {
 
   std::optional<std::string> why_no_times() const override;
   std::vector<Region> regions() const;
+  // m up and down from a leg of the whole way, ascent and descent included, where it is over
+  // terrain.
+  double band_of(std::size_t leg) const;
 
   FlownMission mission_;
   double seconds_ = 0;

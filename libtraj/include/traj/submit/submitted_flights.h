@@ -6,16 +6,16 @@
 //   geom::Scenes scenes(map, {.vehicle = vehicle, .margin = 0.2}, geom::Differences::refused, 1e9);
 //   traj::SubmissionMethod method{.made_for = geom::provenance_of(scene), .limits = limits};
 //   const traj::SubmittedFlights flights(scenes, method, {});
-//   assert(flights.placement().origin->latitude == method.origin.latitude);
+//   assert(flights.reading().placement.origin->latitude == method.origin.latitude);
 
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "geom/map/ground_model.h"
 #include "geom/record/scenes.h"
-#include "traj/mission/formats/flier.h"
-#include "traj/mission/formats/placement.h"
+#include "traj/mission/formats/reading.h"
 #include "traj/submit/submitted_flight.h"
 
 namespace traj {
@@ -31,19 +31,22 @@ struct FlightInScene {
 struct MethodFiles {
   std::optional<std::string> params = {};
   std::optional<std::string> geoid_grid = {};
-  const TubeReports* tubes = nullptr;  // those of the method; must outlive what reads them
+  const TubeReports* tubes = nullptr;         // those of the method; must outlive what reads them
+  const geom::GroundModel* ground = nullptr;  // likewise
 };
 inline constexpr const char* kParamsFile = "autopilot.params";
 inline constexpr const char* kGeoidFile = "geoid.gtx";
+inline constexpr const char* kGroundFile = "terrain.ground";
 
 class SubmittedFlights {
  public:
   // All must outlive this, and what it gives. Throws UsageError for an autopilot that nobody knows,
-  // and InputError for parameters as set_autopilot() and for a grid that is none.
+  // and InputError for parameters as set_autopilot(), for a grid that is none, and for the ground
+  // of another map.
   SubmittedFlights(geom::Scenes& scenes, const SubmissionMethod& method, const MethodFiles& files);
 
-  // Where the coordinates of missions count from.
-  const Placement& placement() const { return placement_; }
+  // How missions are read.
+  const MissionReading& reading() const { return reading_; }
 
   // Of a line of flights.jsonl. Threads may call at once. Throws geom::InputError(source, line, …)
   // for a path and for what is no record.
@@ -55,8 +58,7 @@ class SubmittedFlights {
  private:
   geom::Scenes& scenes_;
   const SubmissionMethod& method_;
-  Flier flier_;
-  Placement placement_;
+  MissionReading reading_;
   const TubeReports* tubes_;
   mutable geom::Scenes bare_;  // without a margin, for tubes
 };

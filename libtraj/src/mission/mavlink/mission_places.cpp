@@ -79,7 +79,8 @@ double MissionPlaces::height(const MissionItem& item) const {
                    .found = "one above terrain",
                    .advice = "where the ground is flat, give its height; over other ground an "
                              "autopilot follows terrain data of its own, which no file shows: "
-                             "skyway-check takes a height model for it (--ground-model)"});
+                             "skyway-check and skyway-submit take a height model for it "
+                             "(--ground-model)"});
     default:
       refuse_item(source_, item,
                   {.key = "frame",

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -69,6 +70,7 @@ class Raising {
     for (const Autopilot& one : rules.autopilots) {
       claim_.spacing = std::max(claim_.spacing, one.terrain_spacing);
       claim_.lag = std::max(claim_.lag, one.terrain_lag);
+      slowest_rise_ = std::min({slowest_rise_, one.climb, one.descent});
       arrival_ = std::max(arrival_, one.acceptance);
     }
     for (std::size_t i = 0; i < rules.autopilots.size(); ++i) {
@@ -90,6 +92,7 @@ class Raising {
     // Now all of the terrain that the vehicle may have been over is known.
     settle_circles();
     settle_return();
+    settle_time();
     raise_path(legs);
     set_landing();
     flown_.sweeps = raised(sweeps);
@@ -162,6 +165,15 @@ class Raising {
     if (return_->low + return_->terrain.high + return_->climb > return_->top) flown_.returns = true;
   }
 
+  // As over flat ground, and as long again as the vehicle rises and sinks with the ground.
+  void settle_time() {
+    for (const Drift& drift : flown_.drift) {
+      if (drift.legs.empty()) continue;
+      flown_.seconds_over_terrain =
+          std::max(flown_.seconds_over_terrain, drift.legs.back().until + rise_ / slowest_rise_);
+    }
+  }
+
   // Points at the height where a return begins are as high or low as the terrain there may be.
   Hull raised_return(const Hull& hull) const {
     Hull out = hull;
@@ -203,6 +215,7 @@ class Raising {
             i, path[i - 1] + way * (k / pieces), path[i - 1] + way * ((k + 1) / pieces), {}};
         if (k + 1 == pieces) piece.b = path[i];
         piece.terrain = look(region_of(std::array{piece.a, piece.b}));
+        rise_ += std::abs(ground_at(piece.b.head<2>()) - ground_at(piece.a.head<2>()));
         out.push_back(piece);
       }
     }
@@ -277,18 +290,16 @@ class Raising {
   void set_landing() {
     if (!flown_.ends.landing_on) return;
     const Vec2 at = flown_.path.back().head<2>();
-    const Rectangle place{at, at};
     flat_landing_ = *flown_.ends.landing_on;
-    landing_ = flown_.home->z();
-    if (difference_->furthest(place) > kAtHome) {
-      Rectangle on_map = place;
-      if (rules_.axes != geom::Axes::enu) {
-        on_map = {{at.y(), at.x()}, {at.y(), at.x()}};
-      }
-      const geom::GroundRange ground = rules_.ground->range(on_map);
-      landing_ = (ground.low + ground.high) / 2;
-    }
+    landing_ = difference_->furthest({at, at}) > kAtHome ? ground_at(at) : flown_.home->z();
     flown_.ends.landing_on = landing_;
+  }
+
+  // The middle of what the model says of a place that was looked at.
+  double ground_at(Vec2 at) const {
+    if (rules_.axes != geom::Axes::enu) std::swap(at.x(), at.y());
+    const geom::GroundRange ground = rules_.ground->range({at, at});
+    return (ground.low + ground.high) / 2;
   }
 
   std::vector<Sweep> raised(const std::vector<SweepPiece>& pieces) const {
@@ -341,6 +352,8 @@ class Raising {
   TerrainClaim claim_;
   TerrainRange all_;    // of all the terrain on the way, home's included
   double arrival_ = 0;  // m: the radius of a waypoint
+  double rise_ = 0;     // m that the ground under the legs rises and sinks, all together
+  double slowest_rise_ = std::numeric_limits<double>::infinity();  // m/s
   std::optional<Return> return_;
   double landing_ = 0;
   double flat_landing_ = 0;  // before it was raised

@@ -220,6 +220,27 @@ TEST(RaisedOverTerrain, FlatGroundLeavesWhatWholeMetresLeaveOpen) {
   EXPECT_NEAR(flown.path[1].z(), kHome + 40, 3) << "home's height counts, not the model's zero";
 }
 
+TEST(RaisedOverTerrain, TakesAsLongAgainAsItRisesWithTheGround) {
+  const geom::GroundModel flat = geom::GroundModel::flat(-300);
+  const Hills hills(7);
+  const geom::GroundModel model = hills.model();
+  const double level = fly(mission_over(kLoop), flat, 0).seconds_over_terrain;
+  double way = 0;
+  double rise = 0;
+  for (std::size_t leg = 1; leg < kLoop.size(); ++leg) {
+    const Vec3 by = kLoop[leg] - kLoop[leg - 1];
+    way += by.head<2>().norm();
+    for (int k = 0; k < 40; ++k) {
+      const Vec3 p = kLoop[leg - 1] + k / 40.0 * by;
+      const Vec3 q = p + by / 40;
+      rise += std::abs(hills.at(q.x(), q.y()) - hills.at(p.x(), p.y()));
+    }
+  }
+  EXPECT_GT(level, 40 / 2.5 + way / 10);
+  EXPECT_NEAR(fly(mission_over(kLoop), model, 0).seconds_over_terrain, level + rise / 1.5,
+              0.15 * rise);
+}
+
 TEST(RaisedOverTerrain, LandsOnTheGroundBelow) {
   const Hills hills(8);
   const geom::GroundModel model = hills.model();

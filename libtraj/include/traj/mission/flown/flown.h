@@ -71,8 +71,9 @@ struct FlownMission : FlownLegs {
   std::size_t corners = 0;        // points between two legs without a rest
   double acceptance = 0;          // m around these, the most that was swept
   // Where its heights count from terrain: all above is a band of heights, and nobody knows when the
-  // vehicle is how high in it. Only the check takes such a mission.
+  // vehicle is how high in it.
   std::optional<TerrainClaim> terrain = {};
+  double seconds_over_terrain = 0;  // that such a mission takes, an estimate
 };
 
 // How far a vehicle may be from the places that a mission says, along each axis: latitudes and
