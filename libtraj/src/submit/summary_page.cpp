@@ -160,10 +160,10 @@ class Page {
           "touches, each counted whole.");
     }
     pairs();
-    if (method_.energy) {
+    if (method_.energy && has_kind("trajectory")) {
       item(
-          "Each flight ends before the battery is down to its reserve, at the largest power that "
-          "the vehicle's profile names.");
+          "Each trajectory ends before the battery is down to its reserve, at the largest power "
+          "that the vehicle's profile names.");
     }
     out_ += "</ul>\n";
   }
@@ -234,8 +234,9 @@ class Page {
     if (has_kind("mission")) {
       item(mission_reading());
       if (method_.ground_model) assume_terrain();
-      item(fmt::format("Missions are flown between {} and {}. Their durations are estimates.",
-                       method_.begins.value_or(""), method_.ends.value_or("")));
+      item(fmt::format("Missions are flown between {} and {}. Their durations are estimates{}.",
+                       method_.begins.value_or(""), method_.ends.value_or(""),
+                       method_.energy ? ", by which the battery lasts to its reserve" : ""));
     }
     assume_ground();
     item(!submission_.pairs

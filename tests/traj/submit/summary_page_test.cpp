@@ -47,5 +47,15 @@ TEST(SummaryPage, SaysWhichSpacingWasAskedFor) {
   EXPECT_TRUE(says(downwash, "trajectory", "before and after its flight none is there"));
 }
 
+TEST(SummaryPage, ProvesOfNoMissionThatItsBatteryLasts) {
+  Submission out;
+  EXPECT_FALSE(says(out, "trajectory", "before the battery is down"));
+  EXPECT_TRUE(says(out, "mission", "durations are estimates."));
+  out.method.energy = Energy{1000, 100, 0.2, 0};
+  EXPECT_TRUE(says(out, "trajectory", "Each trajectory ends before the battery is down"));
+  EXPECT_FALSE(says(out, "mission", "before the battery is down"));
+  EXPECT_TRUE(says(out, "mission", "estimates, by which the battery lasts to its reserve."));
+}
+
 }  // namespace
 }  // namespace traj
