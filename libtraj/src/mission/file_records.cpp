@@ -1,6 +1,7 @@
 #include "traj/mission/file_records.h"
 
 #include <numeric>
+#include <utility>
 
 namespace traj {
 namespace {

@@ -10,7 +10,7 @@ from tube_period import Body, Frame, FrameChange, Plant, motor_limits
 
 ROWS = Rows(lift=3, velocity=3, tilt=2, missing=1, heading=1, rates=3, spin=3, filtered=3, integral=3, missed=3, slope=3, due=3)
 SPINS = slice(ROWS.spin, ROWS.missed)  # angular accelerations
-WHOLE = 6  # blocks of which all is kept, before they grow old
+WHOLE = 1.2  # s of which all is kept, before it grows old
 VELOCITY_FILTER = 1 / (2 * 3.141592653589793 * 5)  # s, of the velocity loop's derivative
 YAW_WEIGHT = 0.4  # of the error about the vertical axis
 LEAST_LIFT = 0.3 * GRAVITY

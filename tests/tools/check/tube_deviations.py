@@ -3,9 +3,11 @@
 verify_tube.py compares them with what a certificate claims.
 """
 
+import math
+
 import numpy as np
 
-from tube_flight import GRAVITY
+from tube_flight import GRAVITY, STEP
 from tube_models import ROUNDING
 
 SLACK = 1e-9  # by so much the simulator may differ from the equations in each coordinate and period,
@@ -14,6 +16,7 @@ BLOCK = 25  # periods whose disturbances grow old together
 JOINED = 5  # periods whose gusts are added up
 AGED = 10  # blocks, then what they did is joined
 OLD = 4  # of those, then it becomes a box
+PIECE = 3000  # columns whose images fit a cache
 KEPT = 100  # columns of those that grow old
 RIDGES = (1e-4, 1e-3, 1e-2, 1e-1)  # shares of the squares that keep ties small
 AHEAD = (1, 2, 4, 8, 16)  # so many blocks later columns around others are compared
@@ -62,6 +65,11 @@ def stretches(images):
     return np.sqrt(np.maximum(np.maximum(rows[0], rows[1]), rows[2]))
 
 
+def in_pieces(bound, columns):
+    """The sum of what a bound gives for some columns at a time."""
+    return sum(bound(columns[:, k:k + PIECE]) for k in range(0, max(columns.shape[1], 1), PIECE))
+
+
 class Terms:
     """Deviations as a sum: columns times numbers in [-1, 1], and threes of columns times vectors of length at most 1. Columns may leave out the last
     rows of the state, which are then 0."""
@@ -85,14 +93,15 @@ class Terms:
         """Of linear forms (..., states)."""
         shape, forms = forms.shape[:-1], np.ascontiguousarray(forms.reshape(-1, forms.shape[-1])[:, :len(self.intervals)])
         rounding = ROUNDING * (np.abs(forms) @ self.sizes())
-        out = (np.abs(forms @ self.intervals).sum(-1) + ball_norms(forms @ self.balls)) * UP + rounding
-        return out.reshape(shape)
+        out = in_pieces(lambda columns: np.abs(forms @ columns).sum(-1), self.intervals) + in_pieces(lambda columns: ball_norms(forms @ columns), self.balls)
+        return (out * UP + rounding).reshape(shape)
 
     def reach(self, forms):
         """Of forms (..., 3, states): what intervals do along each axis, and how far balls reach."""
         forms = forms[..., :len(self.intervals)]
         rounding = ROUNDING * (np.abs(forms) @ self.sizes())
-        return np.abs(forms @ self.intervals).sum(-1) * UP + rounding, ball_reach(forms @ self.balls) * UP
+        along = in_pieces(lambda columns: np.abs(forms @ columns).sum(-1), self.intervals)
+        return along * UP + rounding, in_pieces(lambda columns: ball_reach(forms @ columns), self.balls) * UP
 
 
 class Deviations:
@@ -100,6 +109,7 @@ class Deviations:
 
     def __init__(self, claim, cell):
         self.claim, self.law, self.rows = claim, claim.law, claim.law.ROWS
+        self.whole = math.ceil(self.law.WHOLE / (BLOCK * claim.period * STEP))  # blocks
         rows = self.rows
         self.states, self.changing = rows.states, rows.wind
         _, radius, factors, halves = cell.nominal()
@@ -194,7 +204,7 @@ class Deviations:
         self.old, self.aged, self.recent = ([part.moved(through) for part in parts] for parts in (self.old, self.aged, self.recent))
         self.own[-1].intervals[:, -self.changing:] += np.diag(lost[:self.changing])
         self.recent.append(self.own[-1])
-        if len(self.recent) > self.law.WHOLE:
+        if len(self.recent) > self.whole:
             self.around.look_ahead(through[:self.changing, :self.changing], self.reached, claimed)
             self.age(self.recent.pop(0))
 

@@ -10,7 +10,7 @@ from tube_period import Body, Frame, FrameChange, Plant, motor_limits
 
 ROWS = Rows(lift=3, velocity=3, lag=3, heading=1, rates=3, spin=3, filtered=3, turned=3)
 SPINS = slice(ROWS.spin, ROWS.turned)  # angular accelerations
-WHOLE = 2  # blocks of which all is kept, before they grow old
+WHOLE = 0.2  # s of which all is kept, before it grows old
 
 
 def named(period):
