@@ -27,12 +27,6 @@ def order(claim):
     return claim.position_period // math.gcd(claim.position_period, claim.period)
 
 
-def groups(claim, periods):
-    """The periods in which the loops run alike."""
-    count = order(claim)
-    return [found for k in range(count) if len(found := periods[periods % count == k])]
-
-
 class LiftGains:
     """How the velocity's error makes the lift change when the position loop runs: drift of_drift + missed of_missed - slope of_slope, where the error
     has changed by `drift` since the loop last ran."""

@@ -12,7 +12,7 @@ from tube_models import ROUNDING
 
 SLACK = 1e-9  # by so much the simulator may differ from the equations in each coordinate and period,
 SPIN_SLACK = 1e-7  # but in angular accelerations by so much, which are larger numbers
-BLOCK = 25  # periods whose disturbances grow old together
+BLOCK = 0.1  # s, about, whose disturbances grow old together
 JOINED = 5  # periods whose gusts are added up
 AGED = 10  # blocks, then what they did is joined
 OLD = 4  # of those, then it becomes a box
@@ -40,6 +40,12 @@ def rows_of(claim):
         if drag:
             forms[rows.gust + i, [rows.lift + i, rows.velocity + i, rows.gust + i, rows.wind + i]] = 1, -drag, drag, drag
     return forms
+
+
+def block_of(claim):
+    """Periods whose disturbances grow old together: whole rounds of the loops, so that one block is like the next."""
+    unit = math.lcm(JOINED, claim.law.order(claim))
+    return max(1, round(BLOCK / (claim.period * STEP) / unit)) * unit
 
 
 def ball_norms(images):
@@ -109,7 +115,8 @@ class Deviations:
 
     def __init__(self, claim, cell):
         self.claim, self.law, self.rows = claim, claim.law, claim.law.ROWS
-        self.whole = math.ceil(self.law.WHOLE / (BLOCK * claim.period * STEP))  # blocks
+        self.block = block_of(claim)  # periods
+        self.whole = math.ceil(self.law.WHOLE / (self.block * claim.period * STEP))  # blocks
         rows = self.rows
         self.states, self.changing = rows.states, rows.wind
         _, radius, factors, halves = cell.nominal()
@@ -211,7 +218,7 @@ class Deviations:
     def age(self, old):
         """Adds up errors of a kind over the periods of a block. Few columns hold how they differ from their mean."""
         balls, rest = added_up(old.balls, JOINED)
-        columns = old.intervals.reshape(self.changing, BLOCK, -1)
+        columns = old.intervals.reshape(self.changing, self.block, -1)
         kinds, at = [], 0
         for width in self.law.named(self.claim.period):
             kinds.append(columns[:, :, at:at + width].reshape(self.changing, -1, 3))

@@ -12,8 +12,9 @@ import numpy as np
 import tube_cascade
 import tube_geometric
 from tube_claim import Cell
-from tube_deviations import BLOCK, Deviations, rows_of
+from tube_deviations import Deviations, block_of, rows_of
 
+BLOCK = 25
 PERIODS = 100 * BLOCK
 SLOW = [0, 1, 2, 3, 4, 5, 9]  # of the rates of maps_of()
 KNOWN = dict(wind=[1.0, 0.0, 0.0], wind_spread=0.2, mass_error=0.01, drag_error=0.05, motor_lag_error=0.02, inertia_error=0.03, period=4, gust_most=0.5,
@@ -65,6 +66,7 @@ def look_at(claim):
     whole = PERIODS if claim.law is tube_geometric else 40 * BLOCK
     for part, periods in (((), whole), ((3,), 10 * BLOCK)):
         deviations = Deviations(claim, Cell(claim, part))
+        assert deviations.block == block_of(claim) == BLOCK
         deviations.box_along(np.eye(len(maps[0]))[SLOW])
         begun = {"gust": deviations.gust.copy(), "held": deviations.held, "tail": deviations.tail}
         forms, ratios = rows_of(claim), []

@@ -9,6 +9,12 @@ from tube_flight import GRAVITY, STEP
 from tube_models import ROUNDING, Model, arcus_sine, cross, dot, inverse, minus, plus, root, scaled, times
 
 
+def groups(claim, periods):
+    """The periods in which the loops run alike."""
+    count = claim.law.order(claim)
+    return [found for k in range(count) if len(found := periods[periods % count == k])]
+
+
 class Frame:
     """Axes with this z and a heading of x: across that and what is to its left."""
 

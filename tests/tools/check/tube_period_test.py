@@ -14,6 +14,7 @@ import tube_cascade
 import tube_geometric
 from tube_flight import FILTER_SHARE, GRAVITY, STEP, Quadrotor, Track, attitude_along, body_axes, fly
 from tube_models import dot
+from tube_period import groups
 
 PERIODS = 60
 PLANT = dict(
@@ -126,7 +127,7 @@ def look_at(name):
     states, _ = fly(claim, track, [1.0, -0.5, 0.2], [1.01, 1.0, 1.002, 1.001, 1.0, 0.999], PERIODS)
     references = track.at(-claim.before, PERIODS * claim.period - claim.before)
     scales, used = np.tile(sizes, (PERIODS, 1)), np.zeros(rows.gust)
-    for periods in claim.law.groups(claim, np.arange(PERIODS)):
+    for periods in groups(claim, np.arange(PERIODS)):
         period = claim.law.Period(claim, states[periods], scales[periods], references, periods * claim.period)
         models, _ = period.limits()
         assert all(m.c.shape == (len(periods),) for m in models)

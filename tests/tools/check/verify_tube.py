@@ -20,13 +20,14 @@ except ImportError:
     sys.exit(3)
 
 from tube_claim import Claim, cells_of, track_of
-from tube_deviations import BLOCK, SLACK, UP, Deviations, slacks
+from tube_deviations import SLACK, UP, Deviations, slacks
 from tube_flight import GRAVITY, STEP, fly
 from tube_models import ROUNDING, SidewaysError
+from tube_period import groups
 from verify_certificate import Refused, by_id, require, run_main
 
 LEAST_SCALE = 1e-9  # of a symbol: slopes are needed of coordinates that do not vary, too
-CHUNK = 500  # periods whose maps are worked out together, whole blocks
+CHUNK = 500  # periods, about, whose maps are worked out together
 
 
 # ---- A cell.
@@ -60,15 +61,16 @@ class CellProof:
         self.states, self.places = fly(claim, self.track, self.wind, self.factors, self.count)
         self.references = self.track.at(-claim.before, (self.count + 1) * claim.period - claim.before)
         deviations = Deviations(claim, self.cell)
-        for first in range(0, self.count, CHUNK):
-            self.follow_chunk(first, min(first + CHUNK, self.count), deviations)
+        chunk = max(1, CHUNK // deviations.block) * deviations.block
+        for first in range(0, self.count, chunk):
+            self.follow_chunk(first, min(first + chunk, self.count), deviations)
 
     def follow_chunk(self, first, last, deviations):
         chunk = Chunk(self, first, last)
         if first == 0:
             deviations.box_along(self.claim.law.slow_forms(self.claim, chunk.maps, float(self.references[4][0])))
-        for begin in range(first, last, BLOCK):
-            periods = np.arange(begin, min(begin + BLOCK, last))
+        for begin in range(first, last, deviations.block):
+            periods = np.arange(begin, min(begin + deviations.block, last))
             deviations.begin(*(each[periods - first] for each in (chunk.maps, chunk.named, chunk.box)))
             bounds, reach = deviations.bounds()
             self.require_bounds(begin, bounds)
@@ -131,7 +133,7 @@ class Chunk:
         self.box = np.empty((count, rows.wind))
         self.further, self.least = np.zeros(count), np.full(count, np.inf)
         self.limits = []
-        for periods in claim.law.groups(claim, np.arange(first, last)):
+        for periods in groups(claim, np.arange(first, last)):
             try:
                 found = claim.law.Period(claim, proof.states[periods], proof.scales[periods], proof.references, periods * claim.period)
             except SidewaysError as reason:
