@@ -109,7 +109,7 @@ struct Cut {
   std::size_t bin = 0;  // the first on the far side; 0: there is no cut
 };
 
-// Of one axis, where it costs less than `best`.
+// The cheapest cut along one axis, or `best` if that costs no more.
 Cut better_cut(std::span<const Filled> bins, int axis, Cut best) {
   std::array<float, kMostBins> far;
   Filled part = Filled::with_nothing();

@@ -31,7 +31,7 @@ void throw_on_error(RTCDevice device) {
   throw std::runtime_error("Embree could not build the scene of the picture");
 }
 
-// A library may be of another version than the headers that this was compiled with.
+// The library that was loaded may have another version than the headers.
 void require_version(RTCDevice device) {
   const auto version = embree().device_property(device, RTC_DEVICE_PROPERTY_VERSION);
   if (version / 10000 == RTC_VERSION_MAJOR && version / 100 >= RTC_VERSION / 100) return;

@@ -117,7 +117,7 @@ class BendLanes {
       _mm256_storeu_pd(squares + k, apart);
       const __m256d near = _mm256_cmp_pd(apart, _mm256_set1_pd(square), _CMP_LE_OQ);
       const __m256d there = _mm256_and_pd(near, goes(d, on));
-      if (_mm256_testz_pd(there, there)) continue;  // mostly, and the rest is most of the work
+      if (_mm256_testz_pd(there, there)) continue;  // most end here, before what costs most
       const __m256d back = tangent(along(&back_[0], first + k, d), along(&back_[3], first + k, d));
       out |= static_cast<unsigned>(_mm256_movemask_pd(_mm256_and_pd(there, back))) << k;
     }

@@ -6,16 +6,16 @@
 namespace traj {
 namespace {
 
-// The entries of a block that are by two states, from the pair of states start and start on to end
-// and end: by number m of one and number n of the other, along a pair of axes. Four numbers lie
-// side by side and are added at once.
+// The second derivatives of a block by two numbers of its states. There is a 4 x 4 matrix for each
+// pair of axes, and for each pair of states: start and start, end and start, end and end. A matrix
+// is added column by column, so four numbers are added at once.
 class ByStates {
  public:
   ByStates() {
     for (Eigen::Matrix4d& sum : sum_) sum.setZero();
   }
 
-  // By states m and n along one axis, but not by start and end.
+  // The entry of numbers m and n along one axis. If m is of the start, n is, too.
   double& at(int m, int n, int axis) { return sum(m / 4 + n / 4, axis, axis)(m % 4, n % 4); }
 
   // Adds weight[m] weight[n] bend.
@@ -33,7 +33,7 @@ class ByStates {
     }
   }
 
-  // What is by end and start is by start and end, too.
+  // The entries of start and end are those of end and start.
   void write(Nlp::Block& h) {
     constexpr int kJoint = Nlp::kJoint;
     for (int j = 0; j < 3; ++j) {
@@ -71,8 +71,8 @@ class ByStates {
   std::array<Quarter, 27> sum_;
 };
 
-// Adds factor * (rho * snap)'s second derivatives; of those by a state and the duration the ones in
-// the column of the duration.
+// Adds the second derivatives of factor * (rho * snap). Those by a state and the duration go into
+// the column of the duration alone.
 void add_snap(const std::array<Vec3, kStates>& absolute, const Powers& power, double factor,
               ByStates& by_states, Nlp::Block& h) {
   std::array<Vec3, kStates> state = absolute;
@@ -94,8 +94,8 @@ void add_snap(const std::array<Vec3, kStates>& absolute, const Powers& power, do
 
 // Adds the second derivatives of a function of one Bernstein point, whose own first derivative is
 // `pull` and second `bend`: what the state and the duration do to the point, and how the point's
-// own derivatives change with the duration. Of the entries by a state and the duration those in the
-// column of the duration.
+// own derivatives change with the duration. Entries by a state and the duration go into the column
+// of the duration alone.
 void add_point(const Nlp::Point& z, const Vec3& pull, const Eigen::Matrix3d& bend,
                ByStates& by_states, Nlp::Block& h) {
   by_states.add(z.weight, bend);

@@ -108,19 +108,13 @@ std::optional<std::string> SubmittedMission::why_no_times() const {
   return fmt::format("it takes about {:.0f} s, and --between leaves it {:.0f} s", seconds_, least);
 }
 
-double SubmittedMission::band_of(std::size_t leg) const {
-  const std::size_t ascent = mission_.ends.takeoff_from ? 1 : 0;
-  const bool has_band = leg >= ascent && leg - ascent < mission_.leg_band.size();
-  return has_band ? mission_.leg_band[leg - ascent] : 0;
-}
-
 std::vector<SubmittedMission::Region> SubmittedMission::regions() const {
   std::vector<Region> out;
   const Vec3 around = Vec3::Constant(method_.buffer) + mission_.path_stray;
   const Vec3 planned = scene_.half() + around;
   if (const auto way = whole_way(scene_, mission_)) {
     for (std::size_t i = 1; i < way->size(); ++i) {
-      out.push_back({{(*way)[i - 1], (*way)[i]}, planned + Vec3(0, 0, band_of(i - 1))});
+      out.push_back({{(*way)[i - 1], (*way)[i]}, planned});
     }
   }
   for (const Sweep& sweep : mission_.sweeps) out.push_back({sweep.hull, planned});

@@ -287,8 +287,8 @@ class Page {
     item(
         fmt::format("Heights above terrain count from the autopilot's own terrain, which is within "
                     "{:g} m of the ground at its posts, {:g} m apart. The ground is as "
-                    "terrain.ground says. The autopilot has its terrain loaded when it arms, does "
-                    "not say that it clamps it, and heeds no rangefinder. The vehicle is up to "
+                    "terrain.ground says. The autopilot has loaded its terrain when it arms, "
+                    "clamps no height, and follows no rangefinder. The vehicle is up to "
                     "{:g} m behind its terrain. All of this makes a band of heights of up to "
                     "{:.1f} m, which is what was proved clear.",
                     method_.terrain_error, most.spacing, most.lag, most.band));

@@ -12,7 +12,7 @@ import numpy as np
 import tube_cascade
 import tube_geometric
 from tube_claim import Cell
-from tube_deviations import Deviations, block_of, rows_of
+from tube_deviations import Around, Deviations, block_of, rows_of
 
 BLOCK = 25
 PERIODS = 100 * BLOCK
@@ -90,5 +90,23 @@ def look_at(claim):
         print(f"{claim.law.__name__}, cell {part}: bounds are at most {max(ratios):.3f} times the worst there is")
 
 
+def few_columns_hold_many():
+    """Along every direction few columns reach as far as the many that they are around: where the others follow what is slow, nearly, or not at all."""
+    chance = np.random.default_rng(9)
+    slow, fast, many = 5, 15, 80
+    forms = np.eye(slow, slow + fast)
+    for follow, noise in ((1, 0), (1, 0.01), (1, 1), (0, 1)):
+        leading = chance.normal(size=(slow, many))
+        columns = np.vstack([leading if follow else 0 * leading, follow * chance.normal(size=(fast, slow)) @ leading + noise * chance.normal(size=(fast, many))])
+        more = np.abs(chance.normal(size=slow + fast)) * 1e-3
+        around = Around(forms)
+        around.look_ahead(np.diag(chance.uniform(0, 1, slow + fast)), np.ones(slow + fast), np.full(slow + fast, 100.0))
+        few = around.columns(columns, more)
+        assert few.shape[1] < many
+        directions = np.vstack([np.eye(slow + fast), chance.normal(size=(300, slow + fast))])
+        assert np.all(np.abs(directions @ few).sum(1) >= np.abs(directions @ columns).sum(1) + np.abs(directions) @ more), (follow, noise)
+
+
+few_columns_hold_many()
 for one in CLAIMS:
     look_at(one)

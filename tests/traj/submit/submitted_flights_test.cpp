@@ -7,6 +7,7 @@
 
 #include "support/reading.h"
 #include "support/small_map.h"
+#include "traj/record/trajectory_record.h"
 #include "traj/submit/flight_parts.h"
 
 namespace traj {
@@ -179,6 +180,28 @@ TEST(SubmittedFlights, GroundThatTheFloorDeniesRefusesEachFlight) {
   }
   EXPECT_EQ(flight_parts(desk.fly(nullptr, mission("3")), desk.map).refusal, "")
       << "without a model nobody knows";
+}
+
+TEST(SubmittedFlights, GroundThatTheFloorDeniesRefusesTrajectories) {
+  Desk desk;
+  const geom::CollisionScene scene(desk.map, geom::Vehicle{"cube", Vec3::Constant(0.5)}, 0.2);
+  TrajectoryRecord record{.id = "q1", .status = TrajectoryStatus::solved};
+  record.trajectory.segments = {hermite({{0, 0, 60}}, {{20, 0, 60}}, 10)};
+  record.provenance = geom::provenance_of(scene);
+  record.time = {.epoch = "2026-05-04T06:30:00Z", .start = 0};
+  const geom::GroundModel ground = ramp();
+  MethodFiles files{.ground = &ground};
+  for (const double floor : {0.0, 0.5}) {
+    desk.method.floor = floor;
+    const SubmittedFlights open(desk.scenes, desk.method, files);
+    const FlightInScene one = open.of_record(to_json_line(record), "flights.jsonl", 1);
+    const std::string refusal = flight_parts(*one.flight, desk.map).refusal;
+    if (floor == 0) {
+      EXPECT_EQ(refusal, "");
+    } else {
+      EXPECT_TRUE(support::says(refusal, "the ground below is as low as z 0.0")) << refusal;
+    }
+  }
 }
 
 }  // namespace

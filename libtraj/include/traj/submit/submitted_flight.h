@@ -134,9 +134,6 @@ class SubmittedMission : public SubmittedFlight {
 
   std::optional<std::string> why_no_times() const override;
   std::vector<Region> regions() const;
-  // m up and down from a leg of the whole way, ascent and descent included, where it is over
-  // terrain.
-  double band_of(std::size_t leg) const;
 
   FlownMission mission_;
   double seconds_ = 0;

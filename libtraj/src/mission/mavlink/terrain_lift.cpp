@@ -165,7 +165,7 @@ class Raising {
     if (return_->low + return_->terrain.high + return_->climb > return_->top) flown_.returns = true;
   }
 
-  // As over flat ground, and as long again as the vehicle rises and sinks with the ground.
+  // The time over flat ground, and the time in which the vehicle rises and sinks with the ground.
   void settle_time() {
     for (const Drift& drift : flown_.drift) {
       if (drift.legs.empty()) continue;

@@ -23,9 +23,9 @@ bool counts_from_terrain(const Mission& mission, const MissionRules& rules,
 // in degrees. Over home the terrain is as high as home. A return counts from home; its height is
 // known where that is above all heights at which it may begin (else FlownMission::returns). Sweeps
 // and drift are cut into pieces of some 25 m, and so is the path, which gets a band of heights
-// around it (FlownLegs::leg_band). Times of legs and velocities are left out; what is left of them
-// is FlownMission::seconds_over_terrain. Throws
-// geom::InputError(source, …) where the height model does not know the ground.
+// around it (FlownLegs::leg_band). The result has no times of legs and no velocities;
+// FlownMission::seconds_over_terrain estimates its whole time. Throws geom::InputError(source, …)
+// where the height model does not know the ground.
 FlownMavlink raised_over_terrain(FlownMavlink flat, const MissionRules& rules, double latitude,
                                  std::string_view source);
 

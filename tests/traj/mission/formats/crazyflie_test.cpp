@@ -1,5 +1,6 @@
 #include "traj/mission/formats/crazyflie.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -157,6 +158,44 @@ TEST(Crazyflie, ItsOwnRoundingIsBoundedAndNotMuchBelowTheBound) {
   EXPECT_LT(longest, 0.05) << "800 m: centimetres at most";
   RecordProperty("closest", std::to_string(most));
   RecordProperty("longest_m", std::to_string(longest));
+}
+
+// How far Horner's rule may be at one instant, by the exact partial sums: each product and sum adds
+// half a unit of its own size (Higham, Accuracy and Stability, 5.1).
+double error_at(const std::array<double, 8>& c, double t) {
+  constexpr double kUnit = 0x1p-24;
+  double y = c[7];
+  double error = 0;
+  for (int k = 6; k >= 0; --k) {
+    const double product = y * t;
+    y = product + c[static_cast<std::size_t>(k)];
+    error = error * t + kUnit * std::abs(product);
+    error += kUnit * std::abs(y);
+  }
+  return error;
+}
+
+TEST(Crazyflie, ItsBoundIsThatOfEveryInstant) {
+  Random random(14);
+  for (int i = 0; i < 60; ++i) {
+    const double duration = random.number(0.5, 5);
+    std::array<double, 8> c;  // of x: it grows, falls, or has a hump on the way
+    for (std::size_t k = 0; k < c.size(); ++k) {
+      const double sign = i % 3 == 2 ? random.number(-1, 1) : i % 3 == 0 ? 1 : -1;
+      c[k] = static_cast<float>(sign * random.number(1, 20) / std::pow(duration, k));
+    }
+    if (i % 4 == 3)
+      c = {0, 0, static_cast<float>(200 / duration),
+           static_cast<float>(-200 / (duration * duration))};
+    std::string row = fmt::format("{}", static_cast<float>(duration));
+    for (const double v : c) row += fmt::format(",{}", v);
+    for (int k = 0; k < 24; ++k) row += ",0";
+    const double bound = read_crazyflie(support::Text(row + "\n"), "c.csv").stray[0].position.x();
+    for (int n = 0; n <= 640; ++n) {
+      EXPECT_GE(bound, error_at(c, static_cast<float>(duration) * n / 640))
+          << i << " part " << n / 10;
+    }
+  }
 }
 
 TEST(Crazyflie, WhatItsRoundingReachesIsRefused) {

@@ -70,8 +70,8 @@ struct FlownMission : FlownLegs {
   std::size_t endless_jumps = 0;  // jumps for ever: their loops are looked at flown twice
   std::size_t corners = 0;        // points between two legs without a rest
   double acceptance = 0;          // m around these, the most that was swept
-  // Where its heights count from terrain: all above is a band of heights, and nobody knows when the
-  // vehicle is how high in it.
+  // Of a mission with heights above terrain: each place above is a band of heights, and the
+  // vehicle's height in it is not known at any instant.
   std::optional<TerrainClaim> terrain = {};
   double seconds_over_terrain = 0;  // that such a mission takes, an estimate
 };
