@@ -1,7 +1,7 @@
 """one_unit.py BUILD_DIR: no two tests that are compiled as one unit define a helper of one name.
 
-Two helpers of one name and other parameters compile, and a call in one test may then mean the helper of the other. Read are
-the definitions that begin a line: those of functions, and of constants.
+Two helpers with one name and different parameters compile. A call in one test may then mean the helper of the other test. The
+script reads the definitions of functions and constants that begin a line.
 """
 
 import collections
@@ -16,7 +16,7 @@ def repeated(unit):
     """The names that two of the unit's sources define, each with the sources."""
     of_name = collections.defaultdict(set)
     for source in map(pathlib.Path, re.findall(r'#include "(.*_test\.cpp)"', unit.read_text())):
-        text = source.read_text() if source.exists() else ""  # a unit that CMake made once stays in the folder
+        text = source.read_text() if source.exists() else ""  # CMake leaves old units in the folder
         for found in DEFINED.finditer(text):
             of_name[found[1]].add(source.name)
     return {name: sources for name, sources in of_name.items() if len(sources) > 1}

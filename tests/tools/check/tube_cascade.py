@@ -23,7 +23,7 @@ def named(period):
 
 
 def order(claim):
-    """After so many periods the loops run in the same order again."""
+    """The number of periods after which the loops run in the same way again."""
     return claim.position_period // math.gcd(claim.position_period, claim.period)
 
 

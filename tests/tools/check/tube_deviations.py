@@ -12,7 +12,7 @@ from tube_models import ROUNDING
 
 SLACK = 1e-9  # by so much the simulator may differ from the equations in each coordinate and period,
 SPIN_SLACK = 1e-7  # but in angular accelerations by so much, which are larger numbers
-BLOCK = 0.1  # s, about, whose disturbances grow old together
+BLOCK = 0.1  # s, about: the length of a block, whose disturbances are joined at one time
 JOINED = 5  # periods whose gusts are added up
 AGED = 10  # blocks, then what they did is joined
 OLD = 4  # of those, then it becomes a box
@@ -43,7 +43,7 @@ def rows_of(claim):
 
 
 def block_of(claim):
-    """Periods whose disturbances grow old together: whole rounds of the loops, so that one block is like the next."""
+    """The number of periods in a block. A block has whole rounds of the loops, so each block is like the next."""
     unit = math.lcm(JOINED, claim.law.order(claim))
     return max(1, round(BLOCK / (claim.period * STEP) / unit)) * unit
 

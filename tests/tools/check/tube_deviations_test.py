@@ -91,7 +91,7 @@ def look_at(claim):
 
 
 def few_columns_hold_many():
-    """Along every direction few columns reach as far as the many that they are around: where the others follow what is slow, nearly, or not at all."""
+    """A few columns reach at least as far, in every direction, as the many columns that they replace. The fast rows follow the slow ones exactly, nearly, or not at all."""
     chance = np.random.default_rng(9)
     slow, fast, many = 5, 15, 80
     forms = np.eye(slow, slow + fast)

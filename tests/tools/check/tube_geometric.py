@@ -19,7 +19,7 @@ def named(period):
 
 
 def order(claim):
-    """After so many periods the loop runs alike again."""
+    """The number of periods after which the loop runs in the same way again."""
     return 1
 
 

@@ -10,7 +10,7 @@ from tube_models import ROUNDING, Model, arcus_sine, cross, dot, inverse, minus,
 
 
 def groups(claim, periods):
-    """The periods in which the loops run alike."""
+    """The periods in groups: the loops run in the same way in all periods of a group."""
     count = claim.law.order(claim)
     return [found for k in range(count) if len(found := periods[periods % count == k])]
 
