@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "checker.h"
-#include "cli/content/terrain_option.h"
 #include "cli/option/limit_options.h"
 #include "cli/option/option_check.h"
 #include "cli/option/output_option.h"
@@ -39,7 +38,6 @@ struct Options {
   bool no_clearance = false;
   bool drop_refused = false;
   cli::DroneFileOptions drone_file;
-  cli::TerrainOption terrain;
   checking::Returns returns;
   checking::Contingencies contingencies;
   checking::Together together;
@@ -97,7 +95,6 @@ void Options::add_to(CLI::App& app) {
       app, "--certificate", certificate,
       "write the reasons why each accepted record is clear, JSON Lines; implies --exact");
   drone_file.add_to(app);
-  terrain.add_to(app);
   returns.add_to(app);
   contingencies.add_to(app);
   flights.add_to(app);
@@ -114,7 +111,7 @@ void Options::refuse_idle(const CLI::App& app) const {
   cli::only_for(app, (flight_log() || drone_file.format.empty()) && !contingencies.asked(),
                 {"--tube"}, "trajectories and flight logs");
   cli::only_for(app, !profile.file().empty(), {"--profile-step"}, "--profile");
-  terrain.refuse_idle(drone_file.reading.rules);
+  drone_file.terrain.refuse_idle(drone_file.reading.rules);
   if (drone_file.format.empty()) {
     drone_file.require_used(cli::kRecordsWord, "FILE is read as records");
   }
@@ -219,7 +216,7 @@ void begin(cli::Sharding& sharding, CLI::App& app, const Options& options) {
                  {{"map", options.map},
                   {"file", options.input},
                   {"params", options.drone_file.autopilot.params},
-                  {"ground", options.terrain.file()},
+                  {"ground", options.drone_file.terrain.file()},
                   {"plan", options.flights.plan()},
                   {"tube", options.flights.tube()},
                   {"contingencies", options.contingencies.file()}},
@@ -292,7 +289,7 @@ int main(int argc, char** argv) {
     cli::InputFile file(options.input);
     options.drone_file.settle(file);
     options.refuse_idle(app);
-    options.terrain.settle(map.spec().frame, options.drone_file.reading.rules);
+    options.drone_file.settle_ground(map.spec().frame);
     if (options.contingencies.asked()) {
       options.contingencies.settle(options.drone_file, options.vehicle);
     }

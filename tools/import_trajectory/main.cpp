@@ -49,7 +49,13 @@ struct Importer {
   std::string line(const traj::FileFlight& file) const {
     for (const std::string& note : file.notes) common.warn(file.id + ": " + note);
     const traj::FlownMission* mission = traj::mission_of(file.flown);
-    if (mission && (!mission->sweeps.empty() || !mission->fences.empty() || mission->corners > 0)) {
+    if (mission && mission->terrain) {
+      common.warn(
+          file.id +
+          ": the record is in the middle of these bands: skyway-check MAP FILE looks at all "
+          "of them");
+    } else if (mission &&
+               (!mission->sweeps.empty() || !mission->fences.empty() || mission->corners > 0)) {
       common.warn(file.id +
                   ": the record has the mission's straight legs, not its corners, curves and "
                   "fences: skyway-check --file-format looks at those");
@@ -129,6 +135,7 @@ void Options::add_to(CLI::App& app) {
   vehicle.add_to(app);
   cli::add_placement(app, file.reading.placement);
   file.add_heights_to(app);
+  file.autopilot.add_to(app);
   cli::add_point(
       app, "--takeoff-place", file.reading.start,
       "where a Tello stands before it takes off, along the axes of --frame or of the map");
@@ -168,7 +175,7 @@ int main(int argc, char** argv) {
   Options options;
   options.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
-    cli::at_most_one_stdin({options.input, options.map});
+    cli::at_most_one_stdin({options.input, options.map, options.file.autopilot.params});
     if (const auto fault = geom::time_fault(options.time)) throw cli::UsageError(sentence(*fault));
     cli::InputFile file(options.input);
     Importer importer{common, file.name(), options.gap, {}, options.time};
@@ -176,6 +183,8 @@ int main(int argc, char** argv) {
     const geom::AskedRoom room = options.vehicle.asked(options.vehicle.profile());
     importer.provenance.vehicle = room.vehicle;
     importer.provenance.margin = room.margin;
+    options.file.autopilot.settle(options.vehicle.profile());
+    options.file.settle_ground(frame);
     const auto flights = read(file, options, frame);
     cli::OutputFile out(options.output, cli::OutputKind::text);
     for (const traj::FileFlight& one : flights) {

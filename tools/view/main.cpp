@@ -17,13 +17,15 @@
 
 namespace {
 
-void require_one_stdin(const std::vector<std::string>& files, const std::string& poses) {
-  if (std::count(files.begin(), files.end(), "-") + (poses == "-") > 1) {
+void require_one_stdin(std::vector<std::string> files, const std::string& poses,
+                       const std::string& params) {
+  files.insert(files.end(), {poses, params});
+  if (std::count(files.begin(), files.end(), "-") > 1) {
     throw cli::UsageError("only one input may be -");
   }
 }
 
-cli::Contents read(const std::vector<std::string>& files, const cli::DroneFileOptions& options,
+cli::Contents read(const std::vector<std::string>& files, cli::DroneFileOptions& options,
                    const cli::MetresOption& metres) {
   const cli::ContentKinds kinds{
       .archives = true,
@@ -84,9 +86,11 @@ int main(int argc, char** argv) {
                  "where a Tello stands before it takes off, along the map's axes");
   cli::add_placement(app, drone_files.reading.placement);
   drone_files.add_mission_to(app);
+  drone_files.autopilot.add_to(app);
   metres.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
-    require_one_stdin(files, pictures.poses);
+    require_one_stdin(files, pictures.poses, drone_files.autopilot.params);
+    drone_files.autopilot.settle(vehicle.profile());
     const cli::Contents contents = read(files, drone_files, metres);
     std::optional<view::Frames> frames;
     if (!pictures.names.empty()) frames = view::read_frames(pictures);

@@ -114,7 +114,7 @@ void add_flights(InputFile& file, Contents& out) {
 }
 
 // Paths, as long as there is a path to see; of a trajectory its record.
-void add_drone_file(const std::string& path, const DroneFileOptions& options, Contents& out) {
+void add_drone_file(const std::string& path, DroneFileOptions& options, Contents& out) {
   InputFile file(path);
   geom::Provenance provenance;
   geom::Frame frame;
@@ -123,6 +123,7 @@ void add_drone_file(const std::string& path, const DroneFileOptions& options, Co
     provenance.map = out.map->record.hash();
   }
   provenance.frame = frame.axes;
+  options.settle_ground(frame);
   for (const traj::FileFlight& one :
        read_drone_file(file.read_all(), file.name(), options, frame)) {
     if (auto legs = traj::path_record(one, provenance, true)) {

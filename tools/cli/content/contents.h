@@ -54,7 +54,7 @@ struct ContentKinds {
   bool reports = false;
   bool contingencies = false;
   // How drone files are read, as paths and the regions beside them; absent: they are refused.
-  const DroneFileOptions* drone_files = nullptr;
+  DroneFileOptions* drone_files = nullptr;
   // What is expected where a record has another type.
   std::string expected = "a record of type path, trajectory or tree";
 };

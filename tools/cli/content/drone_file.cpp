@@ -111,6 +111,11 @@ void DroneFileOptions::settle(InputFile& file) {
   if (drone) format = kAuto;
 }
 
+void DroneFileOptions::settle_ground(const geom::Frame& frame) {
+  terrain.refuse_idle(reading.rules);
+  terrain.settle(frame, reading.rules);
+}
+
 void DroneFileOptions::require_used(std::string_view of_format, std::string_view because) const {
   if (app) cli::require_used(*app, reading_options(), of_format, because);
 }
@@ -141,6 +146,7 @@ void DroneFileOptions::add_heights_to(CLI::App& parser) {
                   "height of flat ground in the map's z, from which a mission's heights above "
                   "terrain count")
       ->check(CLI::Range(-1e6, 1e6));
+  terrain.add_to(parser);
 }
 
 std::vector<traj::FileFlight> read_drone_file(const std::string& text, const std::string& source,

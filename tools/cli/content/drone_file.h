@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/content/terrain_option.h"
 #include "cli/file/files.h"
 #include "cli/option/autopilot_option.h"
 #include "cli/option/format_options.h"
@@ -25,6 +26,7 @@ inline constexpr const char* kRecordsWord = "records";
 struct DroneFileOptions {
   std::string format = {};  // a word of traj::mission_formats() or kAuto; empty: records
   traj::MissionReading reading = {};
+  TerrainOption terrain = {};
   AutopilotOptions autopilot = {};
   // Where it is set, read_drone_file() refuses what the format of the file does not use.
   const CLI::App* app = nullptr;
@@ -34,12 +36,17 @@ struct DroneFileOptions {
   // --file-format, --paths-csv, --start, those of the placement and all of missions; sets `app`.
   void add_to(CLI::App& parser);
   void add_mission_to(CLI::App& app);  // all of missions
-  void add_heights_to(CLI::App& app);  // --return-height and --terrain of missions
+  // --return-height, --terrain-height, --ground-model and --terrain-error of missions.
+  void add_heights_to(CLI::App& app);
 
   // Where the options say no format, or auto: finds out by the beginning of `file`, which stays to
   // be read, whether it is records, a flight log or a drone file, and sets `format`. A file that
   // begins as none of these is left to the reader of records, or to auto, which refuse it.
   void settle(InputFile& file);
+
+  // Reads the ground of --ground-model for the rules of reading, which then point into this. Throws
+  // UsageError where an option of it lacks the other, InputError where it is that of another map.
+  void settle_ground(const geom::Frame& frame);
 
   // Throws UsageError for an option of the app that this format does not use (format_options.h):
   // one of drone files, "records" or "flight-log".

@@ -35,7 +35,7 @@ void TerrainOption::refuse_idle(const traj::MissionRules& rules) const {
 
 void TerrainOption::settle(const geom::Frame& frame, traj::MissionRules& rules) {
   if (word_.empty()) return;
-  ground_ = ground_from(word_);
+  if (!ground_) ground_ = ground_from(word_);
   geom::require_same_frame(*ground_, frame, word_);
   rules.terrain = traj::TerrainRules{&*ground_, frame.axes, *error_};
 }

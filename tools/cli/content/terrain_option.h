@@ -18,8 +18,8 @@ class TerrainOption {
   // Throws UsageError for one without the other, and beside a flat ground in the rules.
   void refuse_idle(const traj::MissionRules& rules) const;
 
-  // Reads the ground, where it was given. Throws InputError where it is that of another map. The
-  // rules point into this.
+  // Reads the ground, where it was given, once. Throws InputError where it is that of another map.
+  // The rules point into this.
   void settle(const geom::Frame& frame, traj::MissionRules& rules);
 
   // The file of the ground; empty where there is none.

@@ -56,6 +56,7 @@ constexpr Group kGroups[] = {
      "--heading=DEGREES "
      "--acceptance=METRES --braking=METRES/S2 --return-height=METRES --terrain-height=METRES "
      "--autopilot=WORD --params --drag=PER-SECOND check--ground-model=FILE|METRES "
+     "view--ground-model=FILE|METRES import-trajectory--ground-model=FILE|METRES "
      "--terrain-error=METRES"},
     {"Flights together",
      "--together --separation --separation-box --downwash --parked --max-delay=SECONDS --improve "
@@ -81,7 +82,7 @@ constexpr Group kGroups[] = {
      "--delay=SECONDS --hover-time=SECONDS --settle=SECONDS --loop-period=SECONDS "
      "--mass-error=SHARE --proved-tube --wind-spread=METRES/S --gust-most=METRES/S "
      "--gust-lag=SECONDS --start-error=METRES --start-speed=METRES/S --drag-error=SHARE "
-     "--motor-lag-error=SHARE --inertia-error=SHARE "
+     "--motor-lag-error=SHARE --inertia-error=SHARE --noise-most "
      "--runs --tune --cost=WORDS"},
     {"Picture",
      "--view --camera --rate=HERTZ --at=SECONDS --image-size=WIDTHxHEIGHT --azimuth=DEGREES "

@@ -79,8 +79,7 @@ double MissionPlaces::height(const MissionItem& item) const {
                    .found = "one above terrain",
                    .advice = "where the ground is flat, give its height; over other ground an "
                              "autopilot follows terrain data of its own, which no file shows: "
-                             "skyway-check and skyway-submit take a height model for it "
-                             "(--ground-model)"});
+                             "give a height model of it (--ground-model)"});
     default:
       refuse_item(source_, item,
                   {.key = "frame",

@@ -62,8 +62,7 @@ TEST(Wpl, BadFilesAreRefused) {
       refusal(home + "1\t0\t10\t16\t0\t0\t0\t0\t47\t8\t15\t1\n"),
       "m.wpl:3: expected heights above sea level or home, found one above terrain: where the "
       "ground is flat, give its height; over other ground an autopilot follows terrain data of "
-      "its own, which no file shows: skyway-check and skyway-submit take a height model for it "
-      "(--ground-model)");
+      "its own, which no file shows: give a height model of it (--ground-model)");
   EXPECT_EQ(refusal(home + "1\t0\t8\t16\t0\t0\t0\t0\t47\t8\t15\t1\n"),
             "m.wpl:3: frame must be 0, 3, 5, 6, 10 or 11 (above sea level, home or terrain), found "
             "8");

@@ -352,8 +352,7 @@ TEST(FlownMission, TakesHeightsAboveFlatTerrain) {
       maker.refusal(),
       "m: item 2: expected heights above sea level or home, found one above terrain: where "
       "the ground is flat, give its height; over other ground an autopilot follows terrain data of "
-      "its own, which no file shows: skyway-check and skyway-submit take a height model for it "
-      "(--ground-model)");
+      "its own, which no file shows: give a height model of it (--ground-model)");
   EXPECT_NEAR(maker.fly({.ground = 3}).path.back().z(), 23, 1e-9);
 }
 
