@@ -1,5 +1,5 @@
 // tube_agreement CASES FLIGHTS [SEED] [TRAJECTORIES.jsonl or -] [geometric|cascade]: proves tubes
-// of CASES random flights (vehicle, trajectory, winds, gusts, masses), or of the file's
+// of CASES random flights (vehicle, trajectory, winds, gusts, masses, noise), or of the file's
 // trajectories with random disturbances of quad2kg, and flies each FLIGHTS times under disturbances
 // that are allowed: by chance, from one end to the other, and fitted to the vehicle's response.
 // Exit 1 if a flight leaves its tube or saturates a motor. Also says how near to the tube's edge
@@ -87,6 +87,14 @@ Case random_case(std::uint64_t seed, traj::ControlLaw law) {
   d.gust_most = random.uniform(0, large ? 1.4 : 0.7) * scale;
   d.gust_lag = random.uniform(0.3, 3);
   d.mass_error = random.uniform(0, 0.01) * scale;
+  const double noise = random.uniform(-1, 1) * scale;  // in half of the cases
+  if (noise > 0) {
+    d.gust_most *= 0.5;
+    d.place_noise = (cascade ? 2e-3 : 5e-5) * noise;
+    d.velocity_noise = (cascade ? 2e-3 : 2e-4) * noise;
+    d.attitude_noise = (cascade ? 2e-3 : 1e-4) * noise;
+    d.rate_noise = (cascade ? 4e-3 : 1e-3) * noise;
+  }
   if (random.uniform(0, 1) < 0.5) return c;
   d.gust_most *= 0.3;
   d.drag_error = random.uniform(0, 0.05) * scale;

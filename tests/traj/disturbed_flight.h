@@ -2,6 +2,7 @@
 
 // Flights in any wind, and winds that push as hard as they may.
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -12,6 +13,14 @@
 #include "traj/tube/prove_tube.h"
 
 namespace traj::testing {
+
+// What a reading of the sensors is off by.
+struct Misread {
+  Vec3 place = Vec3::Zero();     // m
+  Vec3 velocity = Vec3::Zero();  // m/s
+  Vec3 turn = Vec3::Zero();      // rad, as Readings::turn
+  Vec3 rates = Vec3::Zero();     // rad/s
+};
 
 // What is true of one flight.
 struct Fate {
@@ -25,6 +34,7 @@ struct Fate {
   std::function<Vec3(long)> towards =
       {};  // m/s, what the gust runs towards from a step of 1 ms on, counted
            // from the start of the hovering before the trajectory
+  std::function<Misread(long)> misread = {};  // in a step, counted likewise
 };
 
 struct DisturbedFlight {
@@ -73,7 +83,16 @@ bool fly_seen(const References& references, const FlightOptions& options, const 
   for (long n = -references.before; n <= references.steps; ++n) {
     const Reference& reference = references.at[static_cast<std::size_t>(n + references.before)];
     if (n >= 0) see(state, reference);
-    const Measured seen{state.position, state.velocity, state.attitude, state.body_rates};
+    Measured seen{state.position, state.velocity, state.attitude, state.body_rates};
+    if (fate.misread) {
+      const Misread off = fate.misread(n + references.before);
+      const Vec3 half = 0.5 * off.turn;
+      seen.position += off.place;
+      seen.velocity += off.velocity;
+      seen.attitude =
+          (state.attitude * Eigen::Quaterniond(1, half.x(), half.y(), half.z())).normalized();
+      seen.body_rates += off.rates;
+    }
     const QuadrotorInput input{controller.command(n + references.before, reference, seen),
                                fate.wind + gust};
     saturated |= controller.take_saturated();
@@ -127,9 +146,9 @@ inline Vec3 direction(support::Random& random) {
   return v.normalized();
 }
 
-// Draws flights that are allowed: winds and masses at the edge or anywhere, and gusts by chance
-// (0), that jump from one end to the other (1), or that fit the response in hover, so that they
-// push as far as they can along some direction at some instant (2).
+// Draws flights that are allowed: winds and masses at the edge or anywhere, and gusts and readings
+// by chance (0), that jump from one end to the other (1), or that fit the response in hover, so
+// that they push as far as they can along some direction at some instant (2).
 class Fates {
  public:
   // `duration` of the trajectory, s.
@@ -154,12 +173,82 @@ class Fates {
     for (double& axis : fate.inertia_error) axis = off(d_.inertia_error);
     fate.place = off(d_.start_error) * push;
     fate.velocity = off(d_.start_speed) * (random.uniform(0, 1) < 0.5 ? push : direction(random));
-    fate.towards = [towards = kind == 2 ? fitted(random, push) : jumping(random, push, kind)](
+    const auto last =
+        static_cast<long>(random.uniform(options_.hover / kStep, static_cast<double>(steps_)));
+    fate.towards = [towards = kind == 2 ? fitted(last, push) : jumping(random, push, kind)](
                        long n) { return towards[static_cast<std::size_t>(n)]; };
+    if (!d_.has_noise()) return fate;
+    fate.misread = [misread = kind == 2 ? misread_to(last, push) : misread_by(random, kind)](
+                       long n) { return misread[static_cast<std::size_t>(n)]; };
     return fate;
   }
 
  private:
+  // A member of Misread, how large it may be, and for how many ms it counts.
+  struct Noise {
+    Vec3 Misread::*of;
+    double most;
+    int period;
+  };
+  std::array<Noise, 4> noises() const {
+    const LoopPeriods& p = options_.periods;
+    const bool cascade = options_.law == ControlLaw::cascade;
+    const int position = cascade ? p.position : p.attitude;
+    return {Noise{&Misread::place, d_.place_noise, position},
+            Noise{&Misread::velocity, d_.velocity_noise, position},
+            Noise{&Misread::turn, d_.attitude_noise, cascade ? p.attitude : 1},
+            Noise{&Misread::rates, d_.rate_noise, 1}};
+  }
+
+  std::vector<Misread> misread_by(support::Random& random, int kind) const {
+    std::vector<Misread> out(static_cast<std::size_t>(steps_ + 1));
+    for (const Noise& noise : noises()) {
+      Vec3 now;
+      for (double& axis : now) axis = noise.most * (random.uniform(0, 1) < 0.5 ? -1 : 1);
+      const double hold = std::exp(random.uniform(std::log(0.001), std::log(2)));
+      for (Misread& one : out) {
+        if (random.uniform(0, 1) < kStep / hold) {
+          for (double& axis : now) axis = kind == 1 ? -axis : noise.most * random.uniform(-1, 1);
+        }
+        one.*noise.of = now;
+      }
+    }
+    return out;
+  }
+
+  std::vector<Misread> misread_to(long last, const Vec3& push) {
+    const auto all = noises();
+    if (misread_response_.empty()) {
+      for (const Noise& noise : all) respond_to(noise);
+    }
+    std::vector<Misread> out(static_cast<std::size_t>(steps_ + 1));
+    for (long n = 0; n < last; ++n) {
+      for (std::size_t k = 0; k < all.size(); ++k) {
+        for (int axis = 0; axis < 3; ++axis) {
+          const auto& response = misread_response_[3 * k + static_cast<std::size_t>(axis)];
+          const auto age = std::min(static_cast<std::size_t>(last - (n - n % all[k].period)),
+                                    response.size() - 1);
+          (out[static_cast<std::size_t>(n)].*all[k].of)[axis] =
+              (response[age].dot(push) < 0 ? -1 : 1) * all[k].most;
+        }
+      }
+    }
+    return out;
+  }
+
+  // Where a hovering vehicle is, so many ms after it misread one thing along one axis.
+  void respond_to(const Noise& noise) {
+    for (int axis = 0; axis < 3; ++axis) {
+      Fate pulse;
+      pulse.misread = [&](long n) {
+        Misread out;
+        if (n < noise.period) (out.*noise.of)[axis] = 1e-3;
+        return out;
+      };
+      misread_response_.push_back(hovering(pulse));
+    }
+  }
+
   std::vector<Vec3> jumping(support::Random& random, const Vec3& push, int kind) const {
     std::vector<Vec3> out(static_cast<std::size_t>(steps_ + 1));
     Vec3 now = d_.gust_most * push;
@@ -174,11 +263,9 @@ class Fates {
     return out;
   }
 
-  std::vector<Vec3> fitted(support::Random& random, const Vec3& push) {
+  std::vector<Vec3> fitted(long last, const Vec3& push) {
     if (response_.empty()) respond();
     std::vector<Vec3> out(static_cast<std::size_t>(steps_ + 1), Vec3::Zero());
-    const auto last =
-        static_cast<long>(random.uniform(options_.hover / kStep, static_cast<double>(steps_)));
     for (long n = 0; n < last; ++n) {
       const auto age = std::min(static_cast<std::size_t>(last - n), response_.size() - 1);
       const double along = response_[age].dot(push.cwiseAbs2());
@@ -190,27 +277,33 @@ class Fates {
   // How far along each axis a hovering vehicle is, so many ms after a gust of 1 m/s along that axis
   // ran up for one step.
   void respond() {
-    FlightOptions hovering = options_;
-    hovering.hover = 0;
-    hovering.settle = 0;
-    const double seconds = options_.law == ControlLaw::cascade ? 12 : 4;
-    const References references(ReferenceTrack({{hermite({}, {}, seconds)}}), hovering);
-    response_.assign(references.at.size(), Vec3::Zero());
     for (int axis = 0; axis < 3; ++axis) {
-      const Fate pulse{
-          .towards = [&](long n) -> Vec3 { return Vec3::Unit(axis) * (n == 0 ? 1 : 0); }};
-      std::size_t n = 0;
-      fly_seen(references, hovering, {.gust_lag = d_.gust_lag}, pulse,
-               [&](const QuadrotorState& state, const Reference& reference) {
-                 response_[n++][axis] = (state.position - reference.position)[axis];
-               });
+      const std::vector<Vec3> places = hovering(
+          {.towards = [&](long n) -> Vec3 { return Vec3::Unit(axis) * (n == 0 ? 1 : 0); }});
+      response_.resize(places.size(), Vec3::Zero());
+      for (std::size_t n = 0; n < places.size(); ++n) response_[n][axis] = places[n][axis];
     }
+  }
+
+  std::vector<Vec3> hovering(const Fate& fate) const {
+    FlightOptions options = options_;
+    options.hover = 0;
+    options.settle = 0;
+    const double seconds = options.law == ControlLaw::cascade ? 12 : 4;
+    const References references(ReferenceTrack({{hermite({}, {}, seconds)}}), options);
+    std::vector<Vec3> out;
+    fly_seen(references, options, {.gust_lag = d_.gust_lag}, fate,
+             [&](const QuadrotorState& state, const Reference& reference) {
+               out.push_back(state.position - reference.position);
+             });
+    return out;
   }
 
   FlightOptions options_;
   Disturbances d_;
   long steps_;
   std::vector<Vec3> response_;
+  std::vector<std::vector<Vec3>> misread_response_;  // of each noise, along each axis
 };
 
 // An error over the tube's radius of that step from the trajectory's start on.

@@ -82,6 +82,9 @@ void check_usage(const fly::Options& options, const Inputs& inputs, const Output
         "--certificate holds for flights that begin at rest on the first point: leave out "
         "--start-error and --start-speed");
   }
+  if (!outputs.certificate.empty() && !options.flown.noise_most.empty()) {
+    throw cli::UsageError("--certificate holds for exact sensors: leave out --noise-most");
+  }
   if (options.runs > 0 && std::abs(options.flown.mass_error) >= 1) {
     throw cli::UsageError("--mass-error must be below 1 with --runs");
   }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "cli/option/numbers_option.h"
 #include "cli/run.h"
@@ -12,19 +11,8 @@ namespace fly {
 namespace {
 
 traj::SensorSpec sensors(const std::string& noise, double delay) {
-  traj::SensorSpec spec;
+  traj::SensorSpec spec = cli::sensors_from("--noise", noise);
   spec.delay = cli::whole_milliseconds("--delay", delay) * 1e-3;
-  if (noise.empty()) return spec;
-  const char* expected = "four deviations >= 0: metres, m/s, degrees, degrees/s";
-  const auto v = cli::parse_numbers(noise, 4);
-  if (!v || *std::min_element(v->begin(), v->end()) < 0) {
-    throw cli::UsageError(fmt::format("--noise: expected {}, found \"{}\"", expected, noise));
-  }
-  constexpr double radian = std::numbers::pi / 180;
-  spec.position = (*v)[0];
-  spec.velocity = (*v)[1];
-  spec.attitude = (*v)[2] * radian;
-  spec.rates = (*v)[3] * radian;
   return spec;
 }
 

@@ -46,6 +46,12 @@ std::string in_words(const Disturbances& d) {
     out += fmt::format(", {} within {:g} % of what is believed", range.share_of,
                        100 * (d.*range.value));
   }
+  if (d.has_noise()) {
+    out += fmt::format(
+        ", readings of the sensors within {:g} m, {:g} m/s, {:g} rad and {:g} rad/s along each "
+        "axis",
+        d.place_noise, d.velocity_noise, d.attitude_noise, d.rate_noise);
+  }
   return out;
 }
 

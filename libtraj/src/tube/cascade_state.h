@@ -47,10 +47,11 @@ void for_each(CascadeState<S>& s, const F& f) {
 struct CascadeRows {
   static constexpr int kStates = 43;
   static constexpr int kPadded = 44;
-  static constexpr int kNamed =
-      18;  // errors: of the rates that are wanted, of torques, of the velocity
-  static constexpr int kNamedKinds = 9;
-  static constexpr int kind_of_named(int k) { return k < 3 ? k : k < 15 ? 3 + k % 3 : 6 + k % 3; }
+  // Errors: of the rates that are wanted, of torques, of the velocity, of what the position loop
+  // reads.
+  static constexpr int kNamed = 21;
+  static constexpr int kNamedKinds = 12;
+  static constexpr int kind_of_named(int k) { return k < 3 ? k : k < 15 ? 3 + k % 3 : k - 9; }
   static constexpr std::size_t kOldest = 12;  // halves of a second, before terms become a box
   static constexpr int kVelocity = 3;
   static constexpr int kSpin = 13;  // from here on, angular accelerations

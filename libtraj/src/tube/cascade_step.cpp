@@ -47,23 +47,39 @@ Triple<S> due_without_drift(const LiftGains& k, const Outer<S>& outer) {
   return scaled(triple(k.of_missed), outer.missed) - scaled(triple(k.of_slope), outer.slope);
 }
 
+// By how much the velocity's error is misread, when the position loop runs.
+template <class S>
+struct Misread {
+  Triple<S> error;     // m/s
+  bool first = false;  // there is no derivative yet
+};
+
 // Position and velocity loops at once. Returns how the lift changes.
 template <class S>
 Triple<S> follow(const CascadeLoop& loop, const Vec3& asked, const Triple<S>& velocity,
-                 Outer<S>& outer) {
+                 const Misread<S>* misread, Outer<S>& outer) {
   const LiftGains k(loop);
   const Triple<S> due = due_of(k, outer, velocity);
   const Triple<S> drift = drift_of(k, outer, due);
   const Vec3 forward = loop.gains.feed_forward.acceleration * (asked - outer.asked);
-  const Triple<S> change = triple(forward) + due;
-  outer.lift = outer.lift + change;
+  Triple<S> change = triple(forward) + due;
   outer.missed = outer.missed + drift;
   outer.slope = (1 - k.share) * outer.slope + (k.share / k.period) * drift;
+  if (misread) {
+    const double slope = misread->first ? 0 : k.share / k.period;
+    const Vec3 of_error = misread->first ? Vec3(k.of_drift - k.of_slope / k.period) : k.of_drift;
+    change = change + scaled(triple(of_error), misread->error);
+    outer.missed = outer.missed + misread->error;
+    outer.slope = outer.slope + slope * misread->error;
+  }
+  outer.lift = outer.lift + change;
   outer.lead = due_without_drift(k, outer) + scaled(triple(k.of_drift), velocity);
+  if (misread) outer.lead = outer.lead - scaled(triple(k.of_drift), misread->error);
   outer.asked = asked;
   return change;
 }
 
+// `velocity` as it is read.
 template <class S>
 PositionRun<S> run_of(const CascadeLoop& loop, const Outer<S>& outer, const Triple<S>& velocity) {
   PositionRun<S> run;
@@ -97,8 +113,12 @@ Triple<S> tilt_first(const Frame<S>& is) {
 // The rates that are wanted.
 template <class S>
 Triple<S> orient(const CascadeLoop& loop, const Wanted<S>& wanted, const TiltedBody<S>& body,
-                 const Reference& reference) {
-  const Frame<S> is = frame_of(body, wanted);
+                 const Reference& reference, const Readings<S>& readings) {
+  Frame<S> is = frame_of(body, wanted);
+  if (!readings.exact) {
+    const Frame<S> off = misread(is, readings.turn[0]);
+    is.x = is.x + off.x, is.y = is.y + off.y, is.z = is.z + off.z;
+  }
   const Triple<S> error = tilt_first(is);
   const double forward = loop.gains.feed_forward.body_rates;
   const Triple<S> rates = scaled(triple(loop.gains.attitude), error);
@@ -106,17 +126,23 @@ Triple<S> orient(const CascadeLoop& loop, const Wanted<S>& wanted, const TiltedB
   return rates + forward * rates_along(wanted.frame, reference);
 }
 
-// The rate loop in this millisecond.
+// The integral of the rate loop, a millisecond later.
 template <class S>
-RateRun<S> turn(const PidGains& k, const Triple<S>& rates, Triple<S>& integral,
-                const TiltedBody<S>& body) {
-  const Triple<S> error = rates - body.rates;
+Triple<S> grown(const PidGains& k, const Triple<S>& integral, const Triple<S>& error) {
+  return integral + scaled(triple(Vec3(kMillisecond * k.i)), error);
+}
+
+// The rate loop in this millisecond, by the body's rates and their low-passed slope as it sees
+// them.
+template <class S>
+RateRun<S> turn(const PidGains& k, const Triple<S>& rates, const Triple<S>& integral,
+                const Triple<S>& body_rates, const Triple<S>& filtered) {
+  const Triple<S> error = rates - body_rates;
   const Triple<S> pushed = scaled(triple(k.p), error);
-  const Triple<S> damped = scaled(triple(k.d), body.filtered);
+  const Triple<S> damped = scaled(triple(k.d), filtered);
   RateRun<S> run;
   run.before = pushed + integral - damped;
-  integral = integral + scaled(triple(Vec3(kMillisecond * k.i)), error);
-  run.spin = pushed + integral - damped;
+  run.spin = pushed + grown(k, integral, error) - damped;
   return run;
 }
 
@@ -124,10 +150,12 @@ RateRun<S> turn(const PidGains& k, const Triple<S>& rates, Triple<S>& integral,
 template <class S>
 class Period {
  public:
-  Period(const CascadeLoop& loop, const CascadeState<S>& s, const CascadeReferences& references)
+  Period(const CascadeLoop& loop, const CascadeState<S>& s, const CascadeReferences& references,
+         const Readings<S>& readings)
       : loop_(loop),
         start_(s),
         references_(references),
+        readings_(readings),
         gains_(loop),
         outer_{s.lift, s.missed, s.slope, s.due + scaled(triple(gains_.of_drift), s.velocity),
                references.last_asked},
@@ -148,7 +176,7 @@ class Period {
     for (int j = 0; j < period; ++j) {
       if ((references_.step + j) % loop_.periods.position == 0) run_position(j);
       if (j == 0) {
-        step_.rates = orient(loop_, wanted_, body_, references_.at[0]);
+        step_.rates = orient(loop_, wanted_, body_, references_.at[0], readings_);
         name_errors(step_.rates, CascadeRows::kStates);
       }
       advance(j);
@@ -164,25 +192,57 @@ class Period {
  private:
   void run_position(int j) {
     const Reference& frame = references_.at[0];
-    const Triple<S> change = follow(loop_, references_.at[j].acceleration, body_.velocity, outer_);
+    Misread<S> misread;
+    Triple<S> velocity = body_.velocity;  // that is read
+    if (!readings_.exact) {
+      misread = {misread_error(), references_.step + j == 0};
+      velocity = velocity + readings_.velocity;
+    }
+    const Triple<S> change = follow(loop_, references_.at[j].acceleration, body_.velocity,
+                                    readings_.exact ? nullptr : &misread, outer_);
     turn_to(wanted_, change_of(wanted_, change, frame.yaw, frame.yaw), body_);
     wanted_ = wanted_for(outer_.lift, frame);
-    step_.runs.push_back(run_of(loop_, outer_, body_.velocity));
+    step_.runs.push_back(run_of(loop_, outer_, velocity));
     step_.runs.back().millisecond = j;
+  }
+
+  // Of the velocity. Its symbols stand for one run of the position loop.
+  Triple<S> misread_error() {
+    Triple<S> out =
+        Triple<S>{} - scaled(triple(loop_.gains.position.p), readings_.place) - readings_.velocity;
+    if (step_.runs.empty()) name_errors(out, CascadeRows::kStates + 6 + 3 * kLongestPeriod);
+    return out;
   }
 
   // A millisecond of the rate loop and the vehicle.
   void advance(int j) {
-    step_.turns.push_back(turn(loop_.gains.rates, step_.rates, integral_, body_));
+    const PidGains& pid = loop_.gains.rates;
+    Triple<S> rates = body_.rates;  // that are read
+    Triple<S> filtered = body_.filtered;
+    if (!readings_.exact) {
+      rates = rates + readings_.rates[j];
+      filtered = filtered + (kFilterShare / kMillisecond) * readings_.rates[j];
+    }
+    step_.turns.push_back(turn(pid, step_.rates, integral_, rates, filtered));
     Held<S> held;
     held.thrust = wanted_.frame.size;
-    held.spin = step_.turns.back().spin + gyroscopic(loop_.model.inertia, body_.rates);
-    name_errors(held.spin, CascadeRows::kStates + 3 + 3 * j);
+    held.spin = step_.turns.back().spin + gyroscopic(loop_.model.inertia, rates);
+    const int symbol = CascadeRows::kStates + 3 + 3 * j;
+    name_errors(held.spin, symbol);
+    integral_ = grown(pid, integral_, step_.rates - body_.rates);
+    Triple<S> misread;
+    if (!readings_.exact) {
+      const Vec3 gain = pid.p + kMillisecond * pid.i + (kFilterShare / kMillisecond) * pid.d;
+      misread = Triple<S>{} - retold(Triple<S>{} - readings_.rates[j], held.spin, gain, symbol);
+      integral_ = integral_ - scaled(triple(Vec3(kMillisecond * pid.i)), misread);
+    }
     step_.commands.push_back(motors(loop_.model, held));
     held.wind = wind_in(start_.wind, start_.gust, loop_.gusts, j);
     held.set_factors(start_);
     const TiltedBody<S> before = body_;
     body_ = runge_kutta(loop_.model, wanted_, before, held);
+    // The next reading takes a share of this one back.
+    if (!readings_.exact) body_.turned = body_.turned - kFilterShare * misread;
     body_.filtered =
         (1 - kFilterShare) * body_.filtered + (kFilterShare / kMillisecond) * body_.turned;
     body_.turned = Triple<S>{};
@@ -222,6 +282,7 @@ class Period {
   const CascadeLoop& loop_;
   const CascadeState<S>& start_;
   const CascadeReferences& references_;
+  const Readings<S>& readings_;
   LiftGains gains_;
   Outer<S> outer_;
   Wanted<S> wanted_;
@@ -242,16 +303,16 @@ LiftGains::LiftGains(const CascadeLoop& loop)
 
 template <class S>
 CascadeStep<S> cascade_step(const CascadeLoop& loop, const CascadeState<S>& state,
-                            const CascadeReferences& references) {
-  return Period<S>(loop, state, references).run();
+                            const CascadeReferences& references, const Readings<S>& readings) {
+  return Period<S>(loop, state, references, readings).run();
 }
 
 using Model = CascadeRows::Model;
 
 template CascadeStep<double> cascade_step(const CascadeLoop&, const CascadeState<double>&,
-                                          const CascadeReferences&);
+                                          const CascadeReferences&, const Readings<double>&);
 template CascadeStep<Model> cascade_step(const CascadeLoop&, const CascadeState<Model>&,
-                                         const CascadeReferences&);
+                                         const CascadeReferences&, const Readings<Model>&);
 
 CascadeState<Model> cascade_at_rest(const Model& lightness) {
   CascadeState<Model> s;

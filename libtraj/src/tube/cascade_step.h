@@ -10,6 +10,7 @@
 #include "tube/cascade_state.h"
 #include "tube/loop_step.h"
 #include "tube/plant.h"
+#include "tube/readings.h"
 
 namespace traj {
 
@@ -59,7 +60,7 @@ struct RateRun {
 };
 
 // Of each millisecond what motors are told (N), how far the vehicle has moved since the start (m),
-// and its tilt, as if nothing were clipped. Remainders are infinite where a thrust or a lift may
+// and its tilt, as if nothing were clipped. Remainders are not finite where a thrust or a lift may
 // point sideways.
 template <class S>
 struct CascadeStep {
@@ -72,10 +73,11 @@ struct CascadeStep {
   Triple<S> rates;                // rad/s, that the attitude loop asks for
 };
 
-// Second-order terms of the torques become symbols, behind the state's, three a millisecond.
+// Second-order terms of the torques become symbols, behind the state's, three a millisecond. So do
+// those of the rates that are wanted, of the velocity, and what the position loop reads.
 template <class S>
 CascadeStep<S> cascade_step(const CascadeLoop& loop, const CascadeState<S>& state,
-                            const CascadeReferences& references);
+                            const CascadeReferences& references, const Readings<S>& readings = {});
 
 // The state of a vehicle at rest on a reference that rests, its heading too. Thrust holds its true
 // weight.

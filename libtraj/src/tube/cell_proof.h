@@ -56,6 +56,7 @@ class CellProof {
         steps_(std::lround((track.duration() + options.settle) / kStep)),
         claims_(least_room(), static_cast<std::size_t>(order)),
         errors_(start(d, std::move(begin))) {
+    if (d.has_noise()) errors_.take_noise();
     out_.radius.assign(tube_periods(track.duration()), 0);
     for (int i = 0; i < 3; ++i) {
       gust_(Rows::kGust + i, i) = (1 - gust_kept(d.gust_lag, period_)) * d.gust_most;
@@ -318,6 +319,7 @@ class CellProof {
     constexpr double kAgreement = 1e-9;  // m
     FlightOptions flown = options_;
     flown.wind = {.mean = cell_.wind};
+    flown.sensors = {};
     flown.mass_error = 1 / middle_[Rows::kLightness] - 1;
     flown.drag_error = middle_[Rows::kDrag] - 1;
     flown.motor_lag_error = 1 / middle_[Rows::kQuickness] - 1;

@@ -118,20 +118,30 @@ struct Joining {
     append(rest, box_columns(kUp * ball_sums(differ)));
   }
 
-  // The same for intervals: those of a kind are added up. `columns` are of whole periods.
-  static ErrorColumns add_up_kinds(ErrorColumns& columns) {
+  // The same for intervals: those of a kind, in so many periods, are added up. `columns` are of
+  // whole periods.
+  static ErrorColumns add_up_kinds(ErrorColumns& columns, int periods) {
     const auto kind = [](Eigen::Index column) {
       const Eigen::Index k = column % kColumns;
       return k < Rows::kNamed ? Rows::kind_of_named(static_cast<int>(k))
                               : Rows::kNamedKinds + static_cast<int>(k) - Rows::kNamed;
     };
-    ErrorColumns sum = ErrorColumns::Zero(kErrorRows, kKinds);
-    Eigen::VectorXd count = Eigen::VectorXd::Zero(kKinds);
-    for (Eigen::Index k = 0; k < columns.cols(); ++k)
-      sum.col(kind(k)) += columns.col(k), ++count[kind(k)];
-    for (Eigen::Index k = 0; k < columns.cols(); ++k)
-      columns.col(k) -= sum.col(kind(k)) / count[kind(k)];
-    return sum;
+    const Eigen::Index together = periods * kColumns;
+    ErrorColumns out(kErrorRows, 0);
+    for (Eigen::Index from = 0; from < columns.cols(); from += together) {
+      auto part = columns.middleCols(from, together);
+      ErrorColumns sum = ErrorColumns::Zero(kErrorRows, kKinds);
+      Eigen::VectorXd count = Eigen::VectorXd::Zero(kKinds);
+      const auto each = [&](const auto& f) {
+        for (Eigen::Index k = 0; k < together; ++k) {
+          if (!part.col(k).isZero(0)) f(k, kind(k));
+        }
+      };
+      each([&](Eigen::Index k, Eigen::Index of) { sum.col(of) += part.col(k), ++count[of]; });
+      each([&](Eigen::Index k, Eigen::Index of) { part.col(k) -= sum.col(of) / count[of]; });
+      append(out, sum);
+    }
+    return out;
   }
 };
 
@@ -194,7 +204,7 @@ void ErrorSetOf<Rows>::join_periods() {
     }
     Joining<Rows>::add_up(balls, joined, rest);
   }
-  joined.intervals = Joining<Rows>::add_up_kinds(columns);
+  joined.intervals = Joining<Rows>::add_up_kinds(columns, noisy_ ? 1 : kJoined);
   Joining<Rows>::append(columns, rest);
   Joining<Rows>::append(joined.intervals, around(columns));
   joined_.push_back(std::move(joined));

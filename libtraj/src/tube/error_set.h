@@ -53,6 +53,10 @@ class ErrorSetOf {
   using Forms = Eigen::Matrix<double, Eigen::Dynamic, Rows::kPadded>;
   void box_along(Forms forms) { forms_ = std::move(forms); }
 
+  // Sensors are noisy from now on. What they do differs from period to period, so terms of a kind
+  // are not added up with those of other periods.
+  void take_noise() { noisy_ = true; }
+
   // Deviations e become map e + what the period adds.
   void advance(const Matrix& map, const PeriodErrorsOf<Rows>& added);
 
@@ -78,6 +82,7 @@ class ErrorSetOf {
 
   ErrorColumnsOf<Rows> around(const ErrorColumnsOf<Rows>& columns) const;
 
+  bool noisy_ = false;
   Forms forms_ = Forms(0, Rows::kPadded);
   Terms held_;
   std::deque<Terms> periods_;  // the newest, one each

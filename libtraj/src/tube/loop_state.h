@@ -105,9 +105,9 @@ void for_each(LoopState<S>& s, const F& f) {
 struct GeometricRows {
   static constexpr int kStates = kLoopStates;
   static constexpr int kPadded = kLoopStates;
-  static constexpr int kNamed = 12;  // errors: of the torques of each millisecond
-  static constexpr int kNamedKinds = 3;
-  static constexpr int kind_of_named(int k) { return k % 3; }
+  static constexpr int kNamed = 15;  // errors: of the torques of each millisecond, of the lift
+  static constexpr int kNamedKinds = 6;
+  static constexpr int kind_of_named(int k) { return k < 12 ? k % 3 : k - 9; }
   static constexpr std::size_t kOldest = 6;  // halves of a second, before terms become a box
   static constexpr int kVelocity = 3;
   static constexpr int kSpin = 13;  // from here on, angular accelerations

@@ -13,35 +13,71 @@ constexpr double kFilterShare = kMillisecond / (kMillisecond + kRateFilter);
 
 // Lee 2010, eq. 10, for a body whose axes in the wanted frame are those of `is`. With d = wanted -
 // is for each axis it is half of (y . dz - z . dy, z . dx - x . dz, x . dy - y . dx); that axes
-// stay at right angles turns this into products of the lag and terms of the second order.
+// stay at right angles turns this into the heights of x and y, which are known well, and terms of
+// the second order.
 template <class S>
-Triple<S> attitude_error(const Frame<S>& is, const Triple<S>& lag, const S& lift_size) {
+Triple<S> attitude_error(const Frame<S>& is, const S& height_of_x, const S& height_of_y) {
   const Triple<S> dz = {-is.z.x, -is.z.y, 1.0 - is.z.z};
   const Triple<S> dx = {1.0 - is.x.x, -is.x.y, -is.x.z};
-  const S shrink = inverse(lift_size);
   const Triple<S> second = cross(dz, dx);
-  return {shrink * dot(is.y, lag) - 0.5 * dot(is.z, second),
-          -(shrink * dot(is.x, lag)) - 0.5 * dot(dz, dx), -is.y.x + 0.5 * dot(is.x, second)};
+  return {height_of_y - 0.5 * dot(is.z, second), -height_of_x - 0.5 * dot(dz, dx),
+          -is.y.x + 0.5 * dot(is.x, second)};
 }
 
 // The commands of this millisecond. The thrust that is missing changes with them.
 template <class S>
-Held<S> commanded(const Loop& loop, const Wanted<S>& wanted, Body<S>& body) {
+Held<S> commanded(const Loop& loop, const Wanted<S>& wanted, const Readings<S>& readings, int j,
+                  Body<S>& body) {
   const GeometricGains& k = loop.gains;
   const Frame<S> is = frame_of(body, wanted);
-  const Triple<S> error = attitude_error(is, body.lag, wanted.frame.size);
-  const Triple<S>& wr = wanted.rates;
-  const Triple<S> towards = {dot(is.x, wr), dot(is.y, wr), dot(is.z, wr)};
-  const Triple<S>& w = body.rates;
+  const S shrink = inverse(wanted.frame.size);
+  S height_of_x = shrink * dot(is.x, body.lag);
+  S height_of_y = shrink * dot(is.y, body.lag);
   body.filtered = (1 - kFilterShare) * body.filtered + (kFilterShare / kMillisecond) * body.turned;
   body.turned = Triple<S>{};
-  Held<S> held;
-  held.thrust = wanted.frame.size * is.z.z;
   body.missing = dot(body.lag, is.z);
+  Frame<S> seen = is;
+  Triple<S> w = body.rates;
+  Triple<S> filtered = body.filtered;
+  if (!readings.exact) {
+    const Frame<S> off = misread(is, readings.turn[j]);
+    seen.x = is.x + off.x, seen.y = is.y + off.y, seen.z = is.z + off.z;
+    height_of_x = height_of_x + off.x.z;
+    height_of_y = height_of_y + off.y.z;
+    body.missing = body.missing + wanted.frame.size * off.z.z;
+    w = w + readings.rates[j];
+    filtered = filtered + (kFilterShare / kMillisecond) * readings.rates[j];
+  }
+  const Triple<S> error = attitude_error(seen, height_of_x, height_of_y);
+  const Triple<S>& wr = wanted.rates;
+  const Triple<S> towards = {dot(seen.x, wr), dot(seen.y, wr), dot(seen.z, wr)};
+  Held<S> held;
+  held.thrust = wanted.frame.size * seen.z.z;
   held.spin = Triple<S>{} - scaled(triple(k.attitude), error) -
-              scaled(triple(k.rates), w - towards) - scaled(triple(k.lead), body.filtered) +
+              scaled(triple(k.rates), w - towards) - scaled(triple(k.lead), filtered) +
               gyroscopic(loop.model.inertia, w) - cross(w, towards);
   return held;
+}
+
+// The low pass of angular accelerations: what is kept of it leaves out what the next reading takes
+// back of this one. `asked`: the angular acceleration that was asked for.
+template <class S>
+void take_back(const GeometricGains& k, const Triple<S>& misread, const Triple<S>& asked, int j,
+               Body<S>& body) {
+  constexpr double kKept = kFilterShare * kFilterShare / (1 - kFilterShare);
+  const Vec3 gain = k.rates + (kFilterShare / kMillisecond) * k.lead;
+  const Triple<S> rates =
+      Triple<S>{} - retold(Triple<S>{} - misread, asked, gain, kLoopStates + 3 * j);
+  body.filtered = body.filtered - (kKept / kMillisecond) * rates;
+}
+
+// How much more lift the controller asks for than with exact readings.
+template <class S>
+Triple<S> misread_lift(const GeometricGains& k, const Readings<S>& readings) {
+  Triple<S> out = Triple<S>{} - scaled(triple(k.position), readings.place) -
+                  scaled(triple(k.velocity), readings.velocity);
+  name_errors(out, kLoopStates + 3 * kLongestPeriod);
+  return out;
 }
 
 }  // namespace
@@ -51,8 +87,9 @@ double gust_kept(const Loop& loop, int milliseconds) {
 }
 
 template <class S>
-LoopStep<S> loop_step(const Loop& loop, const LoopState<S>& s, const LoopReferences& references) {
-  const Wanted<S> wanted = wanted_at(s.lift, references.now);
+LoopStep<S> loop_step(const Loop& loop, const LoopState<S>& s, const LoopReferences& references,
+                      const Readings<S>& readings) {
+  Wanted<S> wanted = wanted_at(s.lift, references.now);
   Body<S> body;
   body.velocity = s.velocity;
   body.lag = s.lag;
@@ -62,9 +99,17 @@ LoopStep<S> loop_step(const Loop& loop, const LoopState<S>& s, const LoopReferen
   body.turned = s.turned;
   body.filtered = s.filtered;
   LoopStep<S> step;
+  Triple<S> more;  // than with exact readings
+  if (!readings.exact) {
+    more = misread_lift(loop.gains, readings);
+    const double yaw = references.now.yaw;
+    turn_to(wanted, change_of(wanted, more, yaw, yaw), body);
+    wanted = wanted_at(s.lift + more, references.now);
+  }
   for (int j = 0; j < loop.period; ++j) {
-    Held<S> held = commanded(loop, wanted, body);
+    Held<S> held = commanded(loop, wanted, readings, j, body);
     name_errors(held.spin, kLoopStates + 3 * j);
+    if (!readings.exact) take_back(loop.gains, readings.rates[j], held.spin, j, body);
     step.commands.push_back(motors(loop.model, held));
     held.wind = wind_in(s.wind, s.gust, {loop.gust_lag, loop.gust_most}, j);
     held.set_factors(s);
@@ -81,7 +126,8 @@ LoopStep<S> loop_step(const Loop& loop, const LoopState<S>& s, const LoopReferen
                     now.acceleration;
   const Triple<S> change = triple(feed) - scaled(triple(k.position), body.moved) -
                            scaled(triple(k.velocity), body.velocity - s.velocity);
-  turn_to(wanted, change_of(wanted, change, now.yaw, next.yaw), body);
+  const Triple<S> turned = readings.exact ? change : change - more;
+  turn_to(wanted, change_of(wanted, turned, now.yaw, next.yaw), body);
   LoopState<S>& out = step.state;
   out.lift = s.lift + change;
   out.velocity = body.velocity;
@@ -97,9 +143,10 @@ LoopStep<S> loop_step(const Loop& loop, const LoopState<S>& s, const LoopReferen
   return step;
 }
 
-template LoopStep<double> loop_step(const Loop&, const LoopState<double>&, const LoopReferences&);
+template LoopStep<double> loop_step(const Loop&, const LoopState<double>&, const LoopReferences&,
+                                    const Readings<double>&);
 template LoopStep<TaylorModel> loop_step(const Loop&, const LoopState<TaylorModel>&,
-                                         const LoopReferences&);
+                                         const LoopReferences&, const Readings<TaylorModel>&);
 
 LoopState<TaylorModel> resting(const TaylorModel& lightness) {
   LoopState<TaylorModel> s;

@@ -11,12 +11,12 @@
 #include "traj/flight/gains.h"
 #include "traj/flight/reference.h"
 #include "tube/loop_state.h"
+#include "tube/readings.h"
 
 namespace traj {
 
-inline constexpr int kLongestPeriod = 4;  // ms, of the attitude loop
-inline constexpr int kNamedErrors = 3 * kLongestPeriod;
-static_assert(kLoopStates + kNamedErrors <= TaylorModel::kSymbols);
+static_assert(GeometricRows::kNamed == 3 * kLongestPeriod + 3);
+static_assert(kLoopStates + GeometricRows::kNamed <= TaylorModel::kSymbols);
 
 // The vehicle and its controller, as numbers.
 struct Loop {
@@ -34,8 +34,8 @@ struct LoopReferences {
 };
 
 // The state a period later, and of each millisecond until then what motors are told (N), as if no
-// command were clipped, how far the vehicle has moved (m), and its tilt. Remainders are infinite
-// where a thrust or a lift may point sideways.
+// command were clipped, how far the vehicle has moved (m), and its tilt. Remainders are not
+// finite where a thrust or a lift may point sideways.
 template <class S>
 struct LoopStep {
   LoopState<S> state;
@@ -44,10 +44,11 @@ struct LoopStep {
   std::vector<S> upright;        // after 1, 2, ... ms: the cosine of the tilt
 };
 
-// Second-order terms of the torques become symbols, from kLoopStates on, three a millisecond.
+// Second-order terms of the torques become symbols, from kLoopStates on, three a millisecond, and
+// three more for what the lift is off by what was read.
 template <class S>
-LoopStep<S> loop_step(const Loop& loop, const LoopState<S>& state,
-                      const LoopReferences& references);
+LoopStep<S> loop_step(const Loop& loop, const LoopState<S>& state, const LoopReferences& references,
+                      const Readings<S>& readings = {});
 
 // The state of a vehicle at rest on a reference that rests, its heading too. Thrust holds its true
 // weight.

@@ -15,7 +15,8 @@ class CascadeProof : public CellProof<CascadeProof, Rows> {
   CascadeProof(const ReferenceTrack& track, const FlightOptions& options, const Disturbances& d,
                const TubeCell& cell)
       : CellProof(track, options, d, cell, begin(track, options, d, cell), order(options.periods)),
-        loop_(loop_of(options, d)) {
+        loop_(loop_of(options, d)),
+        readings_(readings_within<Model>(d)) {
     const LiftGains k(loop_);
     for (int i = 0; i < 3; ++i) {
       const double shrink = -1 / loop_.gains.position.p[i];
@@ -37,7 +38,7 @@ class CascadeProof : public CellProof<CascadeProof, Rows> {
   }
 
   CascadeStep<Model> step(const CascadeState<Model>& state) {
-    return cascade_step(loop_, state, references_);
+    return cascade_step(loop_, state, references_, readings_);
   }
 
   std::optional<TubeTrouble> limit_met(const CascadeStep<Model>& step,
@@ -95,6 +96,7 @@ class CascadeProof : public CellProof<CascadeProof, Rows> {
 
   CascadeLoop loop_;
   CascadeReferences references_;
+  Readings<Model> readings_;
   Vec3 last_asked_ = Vec3::Zero();
   Matrix modes_ = Matrix::Identity();
 };

@@ -10,7 +10,8 @@ class GeometricProof : public CellProof<GeometricProof, GeometricRows> {
   GeometricProof(const ReferenceTrack& track, const FlightOptions& options, const Disturbances& d,
                  const TubeCell& cell)
       : CellProof(track, options, d, cell, begin(track, options, d, cell), 1),
-        loop_(loop_of(options, d)) {
+        loop_(loop_of(options, d)),
+        readings_(readings_within<TaylorModel>(d)) {
     for (int i = 0; i < 3; ++i) {
       place_(i, i) = -1 / loop_.gains.position[i];
       place_(i, kVelocity + i) = -loop_.gains.velocity[i] / loop_.gains.position[i];
@@ -20,7 +21,7 @@ class GeometricProof : public CellProof<GeometricProof, GeometricRows> {
   void load(long n) { load_references(n); }
 
   LoopStep<TaylorModel> step(const LoopState<TaylorModel>& state) {
-    return loop_step(loop_, state, {at_.front(), at_.back()});
+    return loop_step(loop_, state, {at_.front(), at_.back()}, readings_);
   }
 
   // The first motor whose command may leave its range.
@@ -74,6 +75,7 @@ class GeometricProof : public CellProof<GeometricProof, GeometricRows> {
   }
 
   Loop loop_;
+  Readings<TaylorModel> readings_;
 };
 
 }  // namespace

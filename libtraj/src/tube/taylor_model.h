@@ -154,8 +154,8 @@ struct TaylorModelOf {
     return a * inverse(b);
   }
 };
-using TaylorModel = TaylorModelOf<46>;
-using CascadeModel = TaylorModelOf<62>;  // whose state has more coordinates
+using TaylorModel = TaylorModelOf<50>;
+using CascadeModel = TaylorModelOf<64>;  // whose state has more coordinates
 
 // The same for numbers, so that one text serves both.
 inline double inverse(double a) { return 1 / a; }

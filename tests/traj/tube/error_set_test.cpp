@@ -27,7 +27,7 @@ PeriodErrors random_errors(Random& random) {
   PeriodErrors out;
   for (int i = 0; i < 25; ++i) {
     for (int k = 0; k < 3; ++k) out.gust(i, k) = random.uniform(-0.1, 0.1);
-    for (int k = 0; k < kNamedErrors; ++k) out.named(i, k) = random.uniform(-0.01, 0.01);
+    for (int k = 0; k < GeometricRows::kNamed; ++k) out.named(i, k) = random.uniform(-0.01, 0.01);
     out.box[i] = random.uniform(0, 0.01);
   }
   return out;
@@ -71,7 +71,7 @@ TEST(ErrorSet, HoldsWhatDisturbancesMayDo) {
         e = (map * e).eval();
         const double way = e[row] < 0 ? -1 : 1;
         e += added.gust * in_ball(random, way * added.gust.row(row).transpose());
-        for (int i = 0; i < kNamedErrors; ++i) {
+        for (int i = 0; i < GeometricRows::kNamed; ++i) {
           const double s = added.named(row, i) * way < 0 ? -1 : 1;
           e += added.named.col(i) * (greedy ? s : random.uniform(-1, 1));
         }

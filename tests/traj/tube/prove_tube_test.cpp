@@ -67,6 +67,38 @@ TEST(ProveTube, HoldsVehiclesThatDifferFromWhatIsBelieved) {
   }
 }
 
+// Noise of all sensors, and of each by itself: the tube grows.
+void expect_noise(const Disturbances& all, ControlLaw law) {
+  expect_inside("quad2kg", testing::line({0.2, 0.1, 0.1}, 1.5), all, law);
+  FlightOptions options = flight_of("quad2kg", law);
+  options.hover = options.settle = 0.2;
+  const ReferenceTrack track(testing::line({0.01, 0, 0}, 0.5));
+  const double none = prove_tube(track, options, {}, {}).largest;
+  for (const auto one : {&Disturbances::place_noise, &Disturbances::velocity_noise,
+                         &Disturbances::attitude_noise, &Disturbances::rate_noise}) {
+    Disturbances d;
+    d.*one = all.*one;
+    const ProvedTube tube = prove_tube(track, options, d, {});
+    ASSERT_FALSE(tube.trouble);
+    EXPECT_GT(tube.largest, none * (1 + 1e-6));
+  }
+}
+
+TEST(ProveTube, HoldsFlightsThatMisreadTheirSensors) {
+  expect_noise({.gust_most = 0.1,  // with more, motors saturate
+                .place_noise = 5e-5,
+                .velocity_noise = 2e-4,
+                .attitude_noise = 1e-4,
+                .rate_noise = 1e-3},
+               ControlLaw::geometric);
+  expect_noise({.gust_most = 0.1,
+                .place_noise = 1e-3,
+                .velocity_noise = 1e-3,
+                .attitude_noise = 1e-3,
+                .rate_noise = 2e-3},
+               ControlLaw::cascade);
+}
+
 // A start that is off counts where hardly any hovering comes before, and is forgotten after much.
 void expect_start(double off, ControlLaw law) {
   const Disturbances d{.gust_most = 0.2, .start_error = off, .start_speed = off};

@@ -8,6 +8,7 @@
 #include "traj/flight/vehicle_profile.h"
 #include "traj/flights.h"
 #include "tube/loop_state.h"
+#include "tube/readings.h"
 
 namespace traj::testing {
 
@@ -78,6 +79,14 @@ struct OddFlight {
     const double off = (options.law == ControlLaw::cascade ? 2 : 0.02) * error;
     fate.place = off * direction(random);
     fate.velocity = off * direction(random);
+    const double noise = options.law == ControlLaw::cascade ? error : 0.1 * error;
+    fate.misread = [=](long n) {
+      const auto wave = [&](double size, double rate) {
+        const double t = rate * static_cast<double>(n + 1);
+        return Vec3(noise * size * Vec3(std::sin(t), std::sin(2.3 * t + 1), std::cos(t)));
+      };
+      return Misread{wave(0.02, 0.9), wave(0.05, 1.1), wave(0.02, 2.7), wave(0.05, 3.1)};
+    };
     flown = fly(track, options, {}, fate);
     EXPECT_FALSE(flown.saturated);
   }
@@ -97,6 +106,19 @@ struct OddFlight {
     return {models(fate.place), models(fate.velocity)};
   }
 
+  // What is read in the period that begins `step` ms after the first, whose position loop runs
+  // `run` ms later.
+  Readings<double> readings(long step, int run) const {
+    const Misread then = fate.misread(step + run);
+    Readings<double> out{false, triple(then.place), triple(then.velocity), {}, {}};
+    for (int j = 0; j < kLongestPeriod; ++j) {
+      const Misread now = fate.misread(step + j);
+      out.turn[static_cast<std::size_t>(j)] = triple(now.turn);
+      out.rates[static_cast<std::size_t>(j)] = triple(now.rates);
+    }
+    return out;
+  }
+
   // The gust that comes up in the period that begins `step` ms after the first.
   Triple<double> gust(long step, int period) const {
     return triple((1 - kept) * fate.towards(step + period - 1));
@@ -110,6 +132,42 @@ struct OddFlight {
     return std::max({(place - flown.place[at]).norm(), (velocity - flown.velocity[at]).norm(),
                      (rates - flown.rates[at]).norm(), 0.01 * (spin - flown.spin[at]).norm()});
   }
+};
+
+// Exact readings, or noise: bounds of it for models, and any that it allows for numbers.
+class AnyReadings {
+ public:
+  AnyReadings(support::Random& random, bool exact) : random_(random) {
+    if (exact) return;
+    const double share = std::pow(10, random.uniform(-4, 0));
+    noise_ = {.place_noise = 0.03 * share,
+              .velocity_noise = 0.1 * share,
+              .attitude_noise = 0.05 * share,
+              .rate_noise = 0.3 * share};
+  }
+
+  template <int N>
+  Readings<TaylorModelOf<N>> of(const TaylorModelOf<N>&) const {
+    return readings_within<TaylorModelOf<N>>(noise_);
+  }
+  Readings<double> of(double) const {
+    const auto any = [&](double most) {
+      const auto one = [&] {
+        return most * (random_.uniform(0, 1) < 0.5 ? random_.uniform(-1, 1)
+                                                   : (random_.uniform(0, 1) < 0.5 ? -1 : 1));
+      };
+      return Triple<double>{one(), one(), one()};
+    };
+    Readings<double> out{
+        !noise_.has_noise(), any(noise_.place_noise), any(noise_.velocity_noise), {}, {}};
+    for (Triple<double>& turn : out.turn) turn = any(noise_.attitude_noise);
+    for (Triple<double>& rates : out.rates) rates = any(noise_.rate_noise);
+    return out;
+  }
+
+ private:
+  support::Random& random_;
+  Disturbances noise_ = {};
 };
 
 // How often values lay outside of what models say of them, and how often models said anything.
@@ -149,8 +207,9 @@ void hold_steps(support::Random& random, std::span<const double> sizes, const Ve
       double line = m.c;
       for (int i = 0; i < Rows::kStates; ++i) line += m.l[i] * s[static_cast<std::size_t>(i)];
       const double named = m.l.template tail<Model::kSymbols - Rows::kStates>().abs().sum();
+      if (!std::isfinite(m.c) || !std::isfinite(m.radius())) return;
       held.outside += !(std::abs(value - line) <= named + m.r);
-      held.bounded += std::isfinite(m.r);
+      ++held.bounded;
     };
     std::vector<double> values;
     for_each(there.state, [&](int, double v) { values.push_back(v); });

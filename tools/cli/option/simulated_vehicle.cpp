@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "cli/answer/exit.h"
 #include "cli/file/files.h"
@@ -40,6 +41,23 @@ geom::Vec3 wind_from(const std::string& text) {
 }
 
 }  // namespace
+
+traj::SensorSpec sensors_from(const char* flag, const std::string& text) {
+  traj::SensorSpec spec;
+  if (text.empty()) return spec;
+  const auto v = parse_numbers(text, 4);
+  if (!v || *std::min_element(v->begin(), v->end()) < 0) {
+    throw UsageError(
+        fmt::format("{}: expected four numbers >= 0: metres, m/s, degrees, degrees/s; found \"{}\"",
+                    flag, text));
+  }
+  constexpr double radian = std::numbers::pi / 180;
+  spec.position = (*v)[0];
+  spec.velocity = (*v)[1];
+  spec.attitude = (*v)[2] * radian;
+  spec.rates = (*v)[3] * radian;
+  return spec;
+}
 
 int whole_milliseconds(const char* flag, double seconds) {
   const double count = seconds * 1e3;
@@ -98,6 +116,10 @@ void SimulatedVehicleOptions::add_to(CLI::App& app) {
                  "with --proved-tube: the inertia about each axis is within this share of the "
                  "profile's (default: 0)")
       ->check(CLI::Range(0.0, 0.5));
+  app.add_option("--noise-most", noise_most,
+                 "with --proved-tube: each reading of position, velocity, attitude and body rates "
+                 "is off by at most this along each axis: metres, m/s, degrees, degrees/s")
+      ->type_name("P,V,A,R");
 }
 
 void SimulatedVehicleOptions::refuse_idle(const CLI::App& app, bool flies,
@@ -106,14 +128,14 @@ void SimulatedVehicleOptions::refuse_idle(const CLI::App& app, bool flies,
       app, flies,
       {"--gains", "--feed-forward", "--controller", "--loop-period", "--wind", "--mass-error",
        "--hover-time", "--settle", "--wind-spread", "--gust-most", "--gust-lag", "--start-error",
-       "--start-speed", "--drag-error", "--motor-lag-error", "--inertia-error"},
+       "--start-speed", "--drag-error", "--motor-lag-error", "--inertia-error", "--noise-most"},
       to_what);
 }
 
 void SimulatedVehicleOptions::refuse_idle_disturbances(const CLI::App& app, bool proves) {
   only_for(app, proves,
            {"--wind-spread", "--gust-most", "--gust-lag", "--start-error", "--start-speed",
-            "--drag-error", "--motor-lag-error", "--inertia-error"},
+            "--drag-error", "--motor-lag-error", "--inertia-error", "--noise-most"},
            "--proved-tube");
 }
 
@@ -149,7 +171,9 @@ traj::Disturbances SimulatedVehicleOptions::disturbances(const traj::FlightOptio
   };
   const traj::SensorSpec& s = flight.sensors;
   if (std::max({s.position, s.velocity, s.attitude, s.rates, s.delay}) > 0) {
-    refuse("the proof knows exact sensors: leave out --noise and --delay");
+    refuse(
+        "noise by chance (--noise) has no bound: say --noise-most; and the proof knows no late "
+        "readings: leave out --delay");
   }
   if (flight.wind.gusts > 0) {
     refuse("Dryden gusts (--gusts) have no bound: say --gust-most and --gust-lag");
@@ -173,6 +197,8 @@ traj::Disturbances SimulatedVehicleOptions::disturbances(const traj::FlightOptio
       !(velocity.p.minCoeff() > 0 && velocity.i.minCoeff() >= 0 && velocity.d.minCoeff() >= 0)) {
     refuse("the velocity gains must have p above 0, and i and d at least 0");
   }
+  const traj::SensorSpec noise = sensors_from("--noise-most", noise_most);
+  if (noise.attitude > 1) refuse("give an attitude in --noise-most of at most 57 degrees");
   return {.wind = flight.wind.mean,
           .wind_spread = wind_spread,
           .gust_most = gust_most,
@@ -182,7 +208,11 @@ traj::Disturbances SimulatedVehicleOptions::disturbances(const traj::FlightOptio
           .mass_error = std::abs(mass_error),
           .drag_error = drag_error,
           .motor_lag_error = motor_lag_error,
-          .inertia_error = inertia_error};
+          .inertia_error = inertia_error,
+          .place_noise = noise.position,
+          .velocity_noise = noise.velocity,
+          .attitude_noise = noise.attitude,
+          .rate_noise = noise.rates};
 }
 
 }  // namespace cli

@@ -30,6 +30,7 @@ struct SimulatedVehicleOptions {
   double drag_error = 0;
   double motor_lag_error = 0;
   double inertia_error = 0;
+  std::string noise_most;
 
   void add_to(CLI::App& app);
   // Throw UsageError where one was given and nothing heeds it: any option of a tool that does not
@@ -42,6 +43,10 @@ struct SimulatedVehicleOptions {
   // What a tube is proved for. Throws cli::UsageError for flights that no proof speaks of.
   traj::Disturbances disturbances(const traj::FlightOptions& flight) const;
 };
+
+// Four numbers >= 0 of an option: metres, m/s, degrees, degrees/s, in SI; nothing if there is no
+// text. Throws cli::UsageError for anything else.
+traj::SensorSpec sensors_from(const char* flag, const std::string& text);
 
 // A whole number of them. Throws cli::UsageError for another.
 int whole_milliseconds(const char* flag, double seconds);

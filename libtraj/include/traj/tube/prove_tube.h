@@ -38,6 +38,16 @@ struct Disturbances {
   double drag_error = 0;
   double motor_lag_error = 0;  // of the motors' time constant
   double inertia_error = 0;    // about each axis by itself
+  // Each reading of the sensors is off by at most this along each axis, >= 0. The measured attitude
+  // is the true one times a quaternion: twice its vector part over its scalar part is bounded.
+  double place_noise = 0;     // m
+  double velocity_noise = 0;  // m/s
+  double attitude_noise = 0;  // rad, about the body's axes
+  double rate_noise = 0;      // rad/s
+
+  bool has_noise() const {
+    return place_noise > 0 || velocity_noise > 0 || attitude_noise > 0 || rate_noise > 0;
+  }
 };
 
 // Why nothing is proved. Under the cascade a command may be clipped: the velocity that the position
@@ -111,12 +121,14 @@ struct TubeOptions {
 // At every step of a millisecond, for all winds, gusts and vehicles that are allowed, the vehicle
 // of simulate() is within the radius of the reference of that instant, from the trajectory's start
 // until the end of `options.settle`. It starts within the errors of the start, `options.hover`
-// before, and nothing is clipped. `options.wind` and the errors of `options` are not looked at.
+// before, and nothing is clipped. `options.wind`, `options.sensors` and the errors of `options` are
+// not looked at.
 //
 // Preconditions: at least a millisecond of hovering before, an attitude loop of at most 4 ms, no
-// sensor noise or delay, positive position gains; under the cascade no i and d of the position
-// loop, and velocity gains with p > 0, i >= 0 and d >= 0. Disturbances and noise that the simulator
-// draws from a normal distribution have no bound, and no claim is made for them.
+// delay of sensors, positive position gains; for a certificate (`by_spans`) no noise; under the
+// cascade no i and d of the position loop, and velocity gains with p > 0, i >= 0 and d >= 0.
+// Disturbances and noise that the simulator draws from a normal distribution have no bound, and no
+// claim is made for them.
 //
 // Cost: some 0.1 to 0.3 s a second of flight and cell, on a thread each. The same for any number of
 // threads.
