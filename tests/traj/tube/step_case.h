@@ -176,6 +176,22 @@ struct Held {
   int bounded = 0;
 };
 
+// Coordinates added up with signs by chance, each as large as the others: symbols that several of
+// them share must stand for one thing.
+template <class Rows>
+std::pair<typename Rows::Model, double> mixed(
+    support::Random& random, typename Rows::template State<typename Rows::Model> state,
+    const std::vector<double>& values) {
+  std::pair<typename Rows::Model, double> out;
+  for_each(state, [&](int i, const typename Rows::Model& m) {
+    if (!std::isfinite(m.c) || !(m.radius() > 1e-12) || !std::isfinite(m.radius())) return;
+    const double weight = (random.uniform(0, 1) < 0.5 ? -1 : 1) / m.radius();
+    out.first = out.first + weight * m;
+    out.second += weight * values[static_cast<std::size_t>(i)];
+  });
+  return out;
+}
+
 // Every state within a share of `sizes` around one whose lift is given and whose vehicle is as
 // believed: a step of it is where the step of the model says. `look(after, there, holds)` calls
 // holds(model, value) for what a step has beside its state.
@@ -215,6 +231,10 @@ void hold_steps(support::Random& random, std::span<const double> sizes, const Ve
     for_each(there.state, [&](int, double v) { values.push_back(v); });
     for_each(after.state,
              [&](int i, const Model& m) { holds(m, values[static_cast<std::size_t>(i)]); });
+    for (int k = 0; k < 4; ++k) {
+      const auto [sum, value] = mixed<Rows>(random, after.state, values);
+      holds(sum, value);
+    }
     for (std::size_t n = 0; n < there.commands.size(); ++n) {
       for (std::size_t i = 0; i < 4; ++i) holds(after.commands[n][i], there.commands[n][i]);
       holds(after.moved[n].x, there.moved[n].x);
