@@ -19,7 +19,8 @@ constexpr Tools kRoadmapTools = {"skyway-plan", "skyway-replan", "skyway-roadmap
                                  "skyway-info"};
 constexpr Tools kLatticeTools = {"skyway-plan", "skyway-replan", "skyway-lattice", "skyway-bench",
                                  "skyway-view", "skyway-plot",   "skyway-info"};
-constexpr Tools kGroundTools = {"skyway-map", "skyway-plan", "skyway-check", "skyway-submit"};
+constexpr Tools kGroundTools = {"skyway-map",    "skyway-plan", "skyway-check",
+                                "skyway-submit", "skyway-view", "skyway-import-trajectory"};
 constexpr Tools kPathTools = {"skyway-traj", "skyway-check", "skyway-replan",
                               "skyway-plot", "skyway-view",  "skyway-render",
                               "skyway-map",  "skyway-query", "skyway-info"};
