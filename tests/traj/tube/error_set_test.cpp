@@ -52,6 +52,7 @@ TEST(ErrorSet, HoldsWhatDisturbancesMayDo) {
         (ErrorVector() << ErrorVector::Ones().head<25>(), ErrorVector::Zero().tail<9>())
             .finished());
     ErrorSet set(held, box);
+    if (seed >= 3) set.take_noise();
     if (seed % 2) set.box_along(ErrorSet::Forms::Random(7, kErrorRows));
     std::vector<ErrorVector> errors(12);
     for (ErrorVector& e : errors) {
@@ -99,6 +100,7 @@ TEST(ErrorSet, LosesNothingOfTermsThatItJoins) {
   const int periods = 2500;
   for (const int row : {0, 9, 14, 20}) {
     ErrorSet set({}, ErrorVector::Zero());
+    if (row >= 14) set.take_noise();
     double all = 0;
     for (int step = 0; step < periods; ++step) {
       const double sign = step % 2 ? 1 : -1;
@@ -106,9 +108,10 @@ TEST(ErrorSet, LosesNothingOfTermsThatItJoins) {
       added.gust(row, step % 3) = 0.5 * sign;
       added.gust(3, 1) = 1;  // another row that goes on evenly
       added.named(row, 2) = 0.25 * sign;
+      if (step % 3 == 0) added.named(row, 13) = 0.25;  // as what the position loop reads
       added.box[row] = 0.125;
       set.advance(ErrorMatrix::Identity(), added);
-      all += 0.875;
+      all += step % 3 == 0 ? 1.125 : 0.875;
       ASSERT_GE(set.bounds()[row], all * (1 - 1e-9)) << row << " " << step;
       ASSERT_GE(set.bounds()[3], (step + 1) * (1 - 1e-9)) << row << " " << step;
     }
