@@ -52,10 +52,10 @@ struct Importer {
     if (mission && mission->terrain) {
       common.warn(
           file.id +
-          ": the record is in the middle of these bands: skyway-check MAP FILE looks at all "
-          "of them");
-    } else if (mission &&
-               (!mission->sweeps.empty() || !mission->fences.empty() || mission->corners > 0)) {
+          ": the record is the middle of these bands: skyway-check MAP FILE looks at all of "
+          "each band");
+    }
+    if (mission && (!mission->sweeps.empty() || !mission->fences.empty() || mission->corners > 0)) {
       common.warn(file.id +
                   ": the record has the mission's straight legs, not its corners, curves and "
                   "fences: skyway-check --file-format looks at those");

@@ -90,6 +90,7 @@ int main(int argc, char** argv) {
   metres.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
     require_one_stdin(files, pictures.poses, drone_files.autopilot.params);
+    drone_files.terrain.refuse_idle(drone_files.reading.rules);
     drone_files.autopilot.settle(vehicle.profile());
     const cli::Contents contents = read(files, drone_files, metres);
     std::optional<view::Frames> frames;

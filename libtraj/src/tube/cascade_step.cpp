@@ -47,11 +47,11 @@ Triple<S> due_without_drift(const LiftGains& k, const Outer<S>& outer) {
   return scaled(triple(k.of_missed), outer.missed) - scaled(triple(k.of_slope), outer.slope);
 }
 
-// By how much the velocity's error is misread, when the position loop runs.
+// The noise of the velocity's error, when the position loop runs.
 template <class S>
 struct Misread {
   Triple<S> error;     // m/s
-  bool first = false;  // there is no derivative yet
+  bool first = false;  // in the first run the velocity loop has no derivative
 };
 
 // Position and velocity loops at once. Returns how the lift changes.
@@ -206,7 +206,7 @@ class Period {
     step_.runs.back().millisecond = j;
   }
 
-  // Of the velocity. Its symbols stand for one run of the position loop.
+  // The noise of the velocity's error. Its symbols can stand for one run of the position loop only.
   Triple<S> misread_error() {
     Triple<S> out =
         Triple<S>{} - scaled(triple(loop_.gains.position.p), readings_.place) - readings_.velocity;
@@ -233,7 +233,7 @@ class Period {
     Triple<S> misread;
     if (!readings_.exact) {
       const Vec3 gain = pid.p + kMillisecond * pid.i + (kFilterShare / kMillisecond) * pid.d;
-      misread = Triple<S>{} - retold(Triple<S>{} - readings_.rates[j], held.spin, gain, symbol);
+      misread = retold(readings_.rates[j], held.spin, gain, symbol);
       integral_ = integral_ - scaled(triple(Vec3(kMillisecond * pid.i)), misread);
     }
     step_.commands.push_back(motors(loop_.model, held));
@@ -241,7 +241,7 @@ class Period {
     held.set_factors(start_);
     const TiltedBody<S> before = body_;
     body_ = runge_kutta(loop_.model, wanted_, before, held);
-    // The next reading takes a share of this one back.
+    // The next reading takes a share of this reading's noise out of the low pass again.
     if (!readings_.exact) body_.turned = body_.turned - kFilterShare * misread;
     body_.filtered =
         (1 - kFilterShare) * body_.filtered + (kFilterShare / kMillisecond) * body_.turned;

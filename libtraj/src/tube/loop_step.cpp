@@ -59,15 +59,14 @@ Held<S> commanded(const Loop& loop, const Wanted<S>& wanted, const Readings<S>& 
   return held;
 }
 
-// The low pass of angular accelerations: what is kept of it leaves out what the next reading takes
-// back of this one. `asked`: the angular acceleration that was asked for.
+// The next reading takes a share of this reading's noise out of the low pass again. It is taken out
+// here already. `asked`: the angular acceleration that was asked for.
 template <class S>
 void take_back(const GeometricGains& k, const Triple<S>& misread, const Triple<S>& asked, int j,
                Body<S>& body) {
   constexpr double kKept = kFilterShare * kFilterShare / (1 - kFilterShare);
   const Vec3 gain = k.rates + (kFilterShare / kMillisecond) * k.lead;
-  const Triple<S> rates =
-      Triple<S>{} - retold(Triple<S>{} - misread, asked, gain, kLoopStates + 3 * j);
+  const Triple<S> rates = retold(misread, asked, gain, kLoopStates + 3 * j);
   body.filtered = body.filtered - (kKept / kMillisecond) * rates;
 }
 

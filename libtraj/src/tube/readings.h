@@ -1,6 +1,6 @@
 #pragma once
 
-// How far what the controller reads is from what is true.
+// The noise of what the controller reads.
 
 #include <algorithm>
 #include <array>
@@ -37,9 +37,9 @@ Readings<S> readings_within(const Disturbances& d) {
   return out;
 }
 
-// The axes of a frame that is read wrong, minus those of the true one: all but x, y and z is left
-// at 0. With h half the turn and s = 1 / (1 + h . h), axis k is off by 2 s (h x e + h x (h x e)),
-// where e is 1 along k, in the axes of the frame.
+// The axes x, y and z of a frame as they are read, minus the true ones; the other members stay 0.
+// In the true frame, axis e is off by 2 (h x e + h x (h x e)) / (1 + h . h), where h is half the
+// turn (Rodrigues).
 template <class S>
 Frame<S> misread(const Frame<S>& is, const Triple<S>& turn) {
   const Triple<S> h = 0.5 * turn;
@@ -53,28 +53,29 @@ Frame<S> misread(const Frame<S>& is, const Triple<S>& turn) {
   return off;
 }
 
-// The misread rates once more, where they made an error by this gain that is symbol k and the next
-// two by now (name_errors()): what follows from both is known to be one.
-inline Triple<double> retold(const Triple<double>& misread, const Triple<double>&,
-                             const geom::Vec3&, int) {
-  return misread;
+// Noise that took `gain` times itself off an angular acceleration, whose error is symbol k and the
+// next two by now (name_errors()). Models of the noise then have these symbols, so that what
+// follows from both is known to have one cause. Numbers stay as they are.
+inline Triple<double> retold(const Triple<double>& noise, const Triple<double>&, const geom::Vec3&,
+                             int) {
+  return noise;
 }
 template <int N>
-Triple<TaylorModelOf<N>> retold(const Triple<TaylorModelOf<N>>& misread,
-                                const Triple<TaylorModelOf<N>>& error, const geom::Vec3& gain,
+Triple<TaylorModelOf<N>> retold(const Triple<TaylorModelOf<N>>& noise,
+                                const Triple<TaylorModelOf<N>>& asked, const geom::Vec3& gain,
                                 int k) {
   using Model = TaylorModelOf<N>;
-  const auto one = [](const Model& noise, const Model& of, double by, int symbol) {
-    // error = by * noise + rest, where both are within what they are at most.
-    const double all = of.l[symbol];
-    const double rest = std::max(0.0, all - by * noise.r) + 1e-12 * all;
-    if (!(rest < 0.25 * by * noise.r)) return noise;
-    Model out = Model::symbol(0, symbol, all / by);
+  const auto one = [](const Model& of, const Model& error, double by, int symbol) {
+    // error = rest - by * noise, where each is at most its size.
+    const double all = error.l[symbol];
+    const double rest = std::max(0.0, all - by * of.r) + 1e-12 * all;
+    if (!(rest < 0.25 * by * of.r)) return of;
+    Model out = Model::symbol(0, symbol, -all / by);
     out.r = rest / by * (1 + 1e-12);
     return out;
   };
-  return {one(misread.x, error.x, gain.x(), k), one(misread.y, error.y, gain.y(), k + 1),
-          one(misread.z, error.z, gain.z(), k + 2)};
+  return {one(noise.x, asked.x, gain.x(), k), one(noise.y, asked.y, gain.y(), k + 1),
+          one(noise.z, asked.z, gain.z(), k + 2)};
 }
 
 }  // namespace traj

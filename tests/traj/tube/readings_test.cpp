@@ -58,7 +58,7 @@ TEST(Readings, AreRetoldByTheErrorThatTheyMade) {
     const double gain = std::pow(10, random.uniform(-1, 2));
     const double rest = gain * most * std::pow(10, random.uniform(-6, 0.3));
     const TaylorModel noise = TaylorModel::within(0, most);
-    const TaylorModel error = (gain * noise + TaylorModel::within(0, rest)).named(kLoopStates + 1);
+    const TaylorModel error = (TaylorModel::within(0, rest) - gain * noise).named(kLoopStates + 1);
     const Triple<TaylorModel> out =
         retold(Triple<TaylorModel>{{}, noise, {}}, Triple<TaylorModel>{{}, error, {}},
                Vec3(1, gain, 1), kLoopStates);
@@ -67,7 +67,7 @@ TEST(Readings, AreRetoldByTheErrorThatTheyMade) {
     for (int j = 0; j < 20; ++j) {
       const double value = most * (j % 2 ? sign(random) : random.uniform(-1, 1));
       const double more = rest * (j % 4 < 2 ? sign(random) : random.uniform(-1, 1));
-      const double symbol = (gain * value + more) / error.l[kLoopStates + 1];
+      const double symbol = (more - gain * value) / error.l[kLoopStates + 1];
       ASSERT_LE(std::abs(symbol), 1);
       ASSERT_LE(std::abs(value - told.c - told.l[kLoopStates + 1] * symbol), told.r)
           << most << " " << gain << " " << rest;

@@ -170,11 +170,10 @@ traj::Disturbances SimulatedVehicleOptions::disturbances(const traj::FlightOptio
     throw UsageError(fmt::format("--proved-tube: {}", what));
   };
   const traj::SensorSpec& s = flight.sensors;
-  if (std::max({s.position, s.velocity, s.attitude, s.rates, s.delay}) > 0) {
-    refuse(
-        "noise by chance (--noise) has no bound: say --noise-most; and the proof knows no late "
-        "readings: leave out --delay");
+  if (std::max({s.position, s.velocity, s.attitude, s.rates}) > 0) {
+    refuse("noise by chance (--noise) has no bound: say --noise-most instead");
   }
+  if (s.delay > 0) refuse("no tube is proved for late readings: leave out --delay");
   if (flight.wind.gusts > 0) {
     refuse("Dryden gusts (--gusts) have no bound: say --gust-most and --gust-lag");
   }

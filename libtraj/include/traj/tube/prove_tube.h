@@ -39,7 +39,8 @@ struct Disturbances {
   double motor_lag_error = 0;  // of the motors' time constant
   double inertia_error = 0;    // about each axis by itself
   // Each reading of the sensors is off by at most this along each axis, >= 0. The measured attitude
-  // is the true one times a quaternion: twice its vector part over its scalar part is bounded.
+  // is the true one times a quaternion. Twice the vector part of that over its scalar part is
+  // bounded.
   double place_noise = 0;     // m
   double velocity_noise = 0;  // m/s
   double attitude_noise = 0;  // rad, about the body's axes
