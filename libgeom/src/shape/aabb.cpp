@@ -36,14 +36,26 @@ Two sum_up(Two a, Two b) {
   return std::bit_cast<Two>(std::bit_cast<TwoWords>(sum) + ((error > 0.0) & outward));
 }
 
+// orientation(), inline: a segment asks it of most boxes that it comes near.
+inline int oriented(double ax, double ay, double bx, double by, double cx, double cy) {
+  const double left = (bx - ax) * (cy - ay);
+  const double right = (by - ay) * (cx - ax);
+  const double det = left - right;
+  // Shewchuk 1997, ccwerrboundA = (3 + 16 eps) eps; the constant below covers underflow.
+  const double bound = 3.3306690738754716e-16 * (std::abs(left) + std::abs(right)) + 1e-290;
+  if (det > bound) return 1;
+  if (det < -bound) return -1;
+  return exact_orientation(ax, ay, bx, by, cx, cy);
+}
+
 // Whether the line through a and b (not one point) passes strictly beside the rectangle.
 bool line_misses(double ax, double ay, double bx, double by, double lx, double ly, double hx,
                  double hy) {
   // The two corners furthest to each side depend on the signs of the direction only.
   const bool rising = (bx >= ax) == (by >= ay);
-  const int one = orientation(ax, ay, bx, by, lx, rising ? hy : ly);
+  const int one = oriented(ax, ay, bx, by, lx, rising ? hy : ly);
   if (one == 0) return false;
-  return one == orientation(ax, ay, bx, by, hx, rising ? ly : hy);
+  return one == oriented(ax, ay, bx, by, hx, rising ? ly : hy);
 }
 
 // Where squares overflow; infinite only where the distance itself is beyond doubles.
@@ -55,14 +67,7 @@ double far_distance(const Vec3& p, const Aabb& box) {
 }  // namespace
 
 int orientation(double ax, double ay, double bx, double by, double cx, double cy) {
-  const double left = (bx - ax) * (cy - ay);
-  const double right = (by - ay) * (cx - ax);
-  const double det = left - right;
-  // Shewchuk 1997, ccwerrboundA = (3 + 16 eps) eps; the constant below covers underflow.
-  const double bound = 3.3306690738754716e-16 * (std::abs(left) + std::abs(right)) + 1e-290;
-  if (det > bound) return 1;
-  if (det < -bound) return -1;
-  return exact_orientation(ax, ay, bx, by, cx, cy);
+  return oriented(ax, ay, bx, by, cx, cy);
 }
 
 double distance(const Vec3& p, const Aabb& box) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// Bends as columns of numbers, for a look at several at once: four with AVX2, where the processor
-// has it, with the same bits as one by one.
+// Looks at several bends, or nodes of their tree, at once: four with AVX2, where the processor has
+// it, with the same bits as one by one.
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -18,6 +18,15 @@
 
 namespace plan {
 
+// Where a search looks from a bend.
+struct Look {
+  Vec3 from;
+  const Onward& onward;
+  double square;  // m2, that bends are away at most
+  double left;    // m, that a path on over a bend to the goal is shorter than
+};
+
+// Bends as columns of numbers.
 class BendLanes {
  public:
   explicit BendLanes(std::span<const Bend> bends) {
@@ -45,7 +54,32 @@ class BendLanes {
     return one_by_one(first, count, p, onward, square, squares);
   }
 
+  // Bit k of the answer says whether child k of node i may have bends that `look` looks for.
+  // to_goal[n]: how far node n is from the goal, in metres; room for three numbers past the last.
+  static unsigned reached(const BendTree& tree, std::uint32_t i, const Look& look,
+                          const double* to_goal) {
+#if defined(__x86_64__)
+    static const bool lanes = CPU_FEATURE_ACTIVE(AVX2);
+    if (lanes) return in_lanes(tree.children(i), look, to_goal + tree.node(i).first);
+#endif
+    return one_by_one(tree, i, look, to_goal);
+  }
+
   // The same, on any processor.
+  static unsigned one_by_one(const BendTree& tree, std::uint32_t i, const Look& look,
+                             const double* to_goal) {
+    unsigned out = 0;
+    const BendTree::Node& node = tree.node(i);
+    for (std::uint32_t k = 0; k < node.count; ++k) {
+      const BendTree::Node& child = tree.node(node.first + k);
+      const double square = BendTree::squared_distance(child, look.from);
+      const double left = look.left - to_goal[node.first + k];
+      const bool yes =
+          square <= look.square && left > 0 && square < left * left && !look.onward.misses(child);
+      out |= static_cast<unsigned>(yes) << k;
+    }
+    return out;
+  }
   unsigned one_by_one(std::size_t first, std::size_t count, const Vec3& p, const Onward& onward,
                       double square, double* squares) const {
     unsigned out = 0;
@@ -97,6 +131,57 @@ class BendLanes {
     __m256d out = _mm256_mul_pd(_mm256_loadu_pd(columns[0].data() + i), d[0]);
     out = _mm256_add_pd(out, _mm256_mul_pd(_mm256_loadu_pd(columns[1].data() + i), d[1]));
     return _mm256_add_pd(out, _mm256_mul_pd(_mm256_loadu_pd(columns[2].data() + i), d[2]));
+  }
+
+  SKYWAY_BEND_LANES static unsigned in_lanes(const BendTree::Children& children, const Look& look,
+                                             const double* to_goal) {
+    static_assert(BendTree::kChildren == kLanes);
+    __m256d low[3];   // from the bend to the child's lower faces,
+    __m256d back[3];  // and from its upper faces to the bend
+    __m256d off[3];
+#pragma GCC unroll 3
+    for (std::size_t a = 0; a < 3; ++a) {
+      const __m256d p = _mm256_set1_pd(look.from[static_cast<int>(a)]);
+      low[a] = _mm256_sub_pd(_mm256_cvtps_pd(_mm_loadu_ps(children.min[a])), p);
+      back[a] = _mm256_sub_pd(p, _mm256_cvtps_pd(_mm_loadu_ps(children.max[a])));
+      off[a] = _mm256_max_pd(_mm256_max_pd(low[a], back[a]), _mm256_setzero_pd());
+    }
+    // In the order of squaredNorm().
+    const __m256d apart =
+        _mm256_add_pd(_mm256_add_pd(_mm256_mul_pd(off[0], off[0]), _mm256_mul_pd(off[1], off[1])),
+                      _mm256_mul_pd(off[2], off[2]));
+    const __m256d left = _mm256_sub_pd(_mm256_set1_pd(look.left), _mm256_loadu_pd(to_goal));
+    const __m256d near =
+        _mm256_and_pd(_mm256_cmp_pd(apart, _mm256_set1_pd(look.square), _CMP_LE_OQ),
+                      _mm256_and_pd(_mm256_cmp_pd(left, _mm256_setzero_pd(), _CMP_GT_OQ),
+                                    _mm256_cmp_pd(apart, _mm256_mul_pd(left, left), _CMP_LT_OQ)));
+    if (_mm256_testz_pd(near, near)) return 0;
+    const Onward::Terms on = look.onward.terms();
+    const __m256d missed = misses(on, low, back);
+    return static_cast<unsigned>(_mm256_movemask_pd(_mm256_andnot_pd(missed, near)));
+  }
+
+  // Onward::misses().
+  SKYWAY_BEND_LANES static __m256d misses(const Onward::Terms& on, const __m256d* low,
+                                          const __m256d* back) {
+    const __m256d sign = _mm256_set1_pd(-0.0);
+    const __m256d forgiven = _mm256_set1_pd(Onward::kForgiven);
+    const __m256d minus_forgiven = _mm256_set1_pd(-Onward::kForgiven);
+    // Outward from the bend along both axes: the least, and minus the most.
+    const bool x_up = on.outward[0] > 0;
+    const bool y_up = on.outward[1] > 0;
+    const __m256d x0 = (x_up ? low : back)[on.first_axis];
+    const __m256d y0 = (y_up ? low : back)[on.second_axis];
+    const __m256d x1 = _mm256_xor_pd(sign, (x_up ? back : low)[on.first_axis]);
+    const __m256d y1 = _mm256_xor_pd(sign, (y_up ? back : low)[on.second_axis]);
+    const __m256d aside = on.second_side
+                              ? _mm256_or_pd(_mm256_cmp_pd(x1, minus_forgiven, _CMP_LT_OQ),
+                                             _mm256_cmp_pd(y0, forgiven, _CMP_GT_OQ))
+                              : _mm256_or_pd(_mm256_cmp_pd(x0, forgiven, _CMP_GT_OQ),
+                                             _mm256_cmp_pd(y1, minus_forgiven, _CMP_LT_OQ));
+    const __m256d behind = _mm256_add_pd(_mm256_mul_pd(_mm256_set1_pd(on.ratio), x0),
+                                         _mm256_mul_pd(_mm256_set1_pd(1 - on.ratio), y0));
+    return _mm256_or_pd(aside, _mm256_cmp_pd(behind, forgiven, _CMP_GT_OQ));
   }
 
   SKYWAY_BEND_LANES unsigned in_lanes(std::size_t first, std::size_t count, const Vec3& p,

@@ -1,6 +1,7 @@
 #include "bend_tree.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "curve.h"
@@ -8,8 +9,6 @@
 
 namespace plan {
 namespace {
-
-constexpr std::size_t kChildren = 4;
 
 BendTree::Node leaf_of(std::span<const Bend> bends, std::size_t first) {
   const std::size_t count = std::min(BendTree::kBendsOfLeaf, bends.size() - first);
@@ -42,6 +41,18 @@ BendTree::Node parent_of(std::span<const BendTree::Node> children, std::size_t f
   return parent;
 }
 
+BendTree::Children children_of(std::span<const BendTree::Node> children) {
+  constexpr float kNowhere = std::numeric_limits<float>::infinity();
+  BendTree::Children out;
+  for (std::size_t k = 0; k < BendTree::kChildren; ++k) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      out.min[axis][k] = k < children.size() ? children[k].min[axis] : kNowhere;
+      out.max[axis][k] = k < children.size() ? children[k].max[axis] : -kNowhere;
+    }
+  }
+  return out;
+}
+
 // Along a curve.
 void sort_leaves(std::vector<BendTree::Node>& leaves) {
   if (leaves.empty()) return;
@@ -66,11 +77,14 @@ BendTree::BendTree(std::span<const Bend> bends) {
     nodes_.push_back(leaf_of(bends, first));
   }
   sort_leaves(nodes_);
+  leaves_ = nodes_.size();
   std::size_t begin = 0;
   for (std::size_t end = nodes_.size(); end - begin > 1; end = nodes_.size()) {
     for (; begin < end; begin += kChildren) {
       const std::size_t count = std::min(kChildren, end - begin);
-      nodes_.push_back(parent_of(std::span(nodes_).subspan(begin, count), begin));
+      const auto children = std::span(nodes_).subspan(begin, count);
+      children_.push_back(children_of(children));
+      nodes_.push_back(parent_of(children, begin));
     }
     begin = end;
   }

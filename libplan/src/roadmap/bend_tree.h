@@ -3,6 +3,7 @@
 // The bends of a roadmap in boxes within boxes, so that a search meets first those that are near
 // and never those that are far.
 
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -18,6 +19,7 @@ namespace plan {
 class BendTree {
  public:
   static constexpr std::size_t kBendsOfLeaf = 16;  // at most
+  static constexpr std::size_t kChildren = 4;      // of a node, at most
 
   // What is below node i lies in its box, the faces included. A leaf has the bends [first, first +
   // count), another node has the nodes [first, first + count).
@@ -41,36 +43,42 @@ class BendTree {
   static double distance(const Node& node, const Vec3& p) {
     return std::sqrt(squared_distance(node, p));
   }
+  static double squared_distance(const Node& node, const Vec3& p);
 
   static geom::Aabb box(const Node& node);
 
-  // Calls f(first, count) for the bends of all leaves whose squared distance from `p` is at most
-  // radius * radius (metres), but for those below nodes i, at a squared distance s, for which
-  // skip(i, s) is true.
-  template <class Skip, class F>
-  void for_leaves_near(const Vec3& p, double radius, const Skip& skip, const F& f) const {
-    if (!empty()) for_leaves_near(root(), p, radius * radius, skip, f);
+  // The boxes of a node's children, for a look at all of them at once. Those that it has not are
+  // infinitely far from everything.
+  struct Children {
+    float min[3][kChildren];
+    float max[3][kChildren];
+  };
+  // Of a node that is no leaf.
+  const Children& children(std::uint32_t i) const { return children_[i - leaves_]; }
+
+  // Calls f(first, count) for the bends of leaves, from the root on down: below node i, which is no
+  // leaf, for those of its children whose bits are in pick(i).
+  template <class Pick, class F>
+  void for_leaves(const Pick& pick, const F& f) const {
+    if (!empty()) for_leaves(root(), pick, f);
   }
 
  private:
-  static double squared_distance(const Node& node, const Vec3& p);
-
-  template <class Skip, class F>
-  void for_leaves_near(std::uint32_t i, const Vec3& p, double square, const Skip& skip,
-                       const F& f) const {
+  template <class Pick, class F>
+  void for_leaves(std::uint32_t i, const Pick& pick, const F& f) const {
     const Node& node = nodes_[i];
-    const double apart = squared_distance(node, p);
-    if (apart > square || skip(i, apart)) return;
     if (node.leaf) {
       f(node.first, std::uint32_t{node.count});
       return;
     }
-    for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
-      for_leaves_near(k, p, square, skip, f);
+    for (unsigned mask = pick(i); mask != 0; mask &= mask - 1) {
+      for_leaves(node.first + static_cast<std::uint32_t>(std::countr_zero(mask)), pick, f);
     }
   }
 
-  std::vector<Node> nodes_;  // children before their parents; the root is the last
+  std::vector<Node> nodes_;  // children before their parents, leaves first; the root is the last
+  std::size_t leaves_ = 0;
+  std::vector<Children> children_;  // of each that is no leaf
 };
 
 // Rounding keeps the order of differences, squares, sums and square roots, so the distance to the

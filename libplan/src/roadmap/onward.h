@@ -21,6 +21,8 @@ constexpr double kLoose = 0.08;
 // millimetre, so this forgives more.
 class Onward {
  public:
+  static constexpr double kForgiven = 4e-3;  // m
+
   Onward(const Bend& bend, const Across& in)
       : bend_(bend),
         first_axis_((bend.axis + 1) % 3),
@@ -57,7 +59,6 @@ class Onward {
 
   // Whether none of the node's bends can be where.
   bool misses(const BendTree::Node& node) const {
-    constexpr double kForgiven = 4e-3;  // metres
     const auto [x0, x1] = range(node, 0);
     const auto [y0, y1] = range(node, 1);
     if (second_ ? x1 < -kForgiven || y0 > kForgiven : x0 > kForgiven || y1 < -kForgiven)

@@ -154,6 +154,7 @@ void RoadmapSearch::Impl::measure_to_goal() {
   for (std::uint32_t n = 0; n < tree_->size(); ++n) {
     node_to_goal_.push_back(BendTree::distance(tree_->node(n), to_));
   }
+  node_to_goal_.resize(tree_->size() + BendTree::kChildren);  // a look reads whole lanes
 }
 
 void RoadmapSearch::Impl::open_node(std::uint32_t index) {
@@ -195,29 +196,25 @@ inline void RoadmapSearch::Impl::reach(std::uint32_t i, std::uint32_t j, double 
 void RoadmapSearch::Impl::look_around(std::uint32_t i, double cost, const Across& in) {
   const std::vector<Bend>& bends = tiles_.bends();
   const Bend& bend = bends[i];
-  const double reach2 = reach_ * reach_;
   const Onward onward(bend, in);
-  const auto skip = [&](std::uint32_t n, double square) {
-    const BendTree::Node& node = tree_->node(n);
-    const double left = shorter_ - cost - node_to_goal_[n];
-    return left <= 0 || square >= left * left || onward.misses(node) ||
-           (!node.leaf && between_.hides(bend.position, BendTree::box(node)));
+  const Look look{bend.position, onward, reach_ * reach_, shorter_ - cost};
+  const auto pick = [&](std::uint32_t n) {
+    const unsigned mask = BendLanes::reached(*tree_, n, look, node_to_goal_.data());
+    const bool hidden = mask != 0 && between_.hides(bend.position, BendTree::box(tree_->node(n)));
+    return hidden ? 0 : mask;
   };
   std::array<double, BendTree::kBendsOfLeaf> squares;
-  tree_->for_leaves_near(
-      bend.position, reach_, skip, [&](std::uint32_t first, std::uint32_t count) {
-        unsigned mask =
-            lanes_->reached(first, count, bend.position, onward, reach2, squares.data());
-        for (; mask != 0; mask &= mask - 1) {
-          const auto k = static_cast<std::uint32_t>(std::countr_zero(mask));
-          const std::uint32_t j = first + k;
-          const double through = cost + std::sqrt(squares[k]);
-          if (through + bend_to_goal_[j] >= shorter_ || j == i || known_as_near(j, through))
-            continue;
-          if (!between_.hits(bend.position, bends[j].position))
-            reach(i, j, through, bend_to_goal_[j]);
-        }
-      });
+  tree_->for_leaves(pick, [&](std::uint32_t first, std::uint32_t count) {
+    unsigned mask =
+        lanes_->reached(first, count, bend.position, onward, look.square, squares.data());
+    for (; mask != 0; mask &= mask - 1) {
+      const auto k = static_cast<std::uint32_t>(std::countr_zero(mask));
+      const std::uint32_t j = first + k;
+      const double through = cost + std::sqrt(squares[k]);
+      if (through + bend_to_goal_[j] >= shorter_ || j == i || known_as_near(j, through)) continue;
+      if (!between_.hits(bend.position, bends[j].position)) reach(i, j, through, bend_to_goal_[j]);
+    }
+  });
 }
 
 // The edges that keep wrapping around the bend's box for a path that comes from `in`.

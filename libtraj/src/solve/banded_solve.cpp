@@ -222,15 +222,17 @@ class InteriorPoint {
 
   bool factored_with(double share, double shift) {
     const std::size_t n = nlp_.pieces();
-    matrix_.set_zero();
     for (std::size_t k = 0; k < n; ++k) {
       const Nlp::Block& h = blocks_[k];
-      matrix_.diagonal(k) += h.topLeftCorner<kPiece, kPiece>();
+      matrix_.diagonal(k) = h.topLeftCorner<kPiece, kPiece>();
       matrix_.diagonal(k)(kTime, kTime) += share * lift_[k];
+      if (k > 0) {
+        matrix_.diagonal(k).topLeftCorner<kJoint, kJoint>() +=
+            blocks_[k - 1].bottomRightCorner<kJoint, kJoint>();
+      }
       if (k + 1 == n) break;
       matrix_.below(k).topRows<kJoint>() = h.block<kJoint, kPiece>(kPiece, 0);
-      matrix_.diagonal(k + 1).topLeftCorner<kJoint, kJoint>() =
-          h.bottomRightCorner<kJoint, kJoint>();
+      matrix_.below(k).bottomRows<1>().setZero();
     }
     for (std::size_t k = 0; k < n; ++k) matrix_.diagonal(k).diagonal().array() += shift;
     // The rest at the start is no variable.

@@ -1,50 +1,71 @@
 #include "block_tridiagonal.h"
 
-#include <Eigen/Cholesky>
+#include <algorithm>
 #include <cassert>
 
+#include "columns_cholesky.h"
+
 namespace traj {
-namespace {
-
-using Vector = Eigen::Matrix<double, BlockTridiagonal::kSize, 1>;
-
-Eigen::Map<Vector> part(std::span<double> b, std::size_t i) {
-  return Eigen::Map<Vector>(&b[BlockTridiagonal::kSize * i]);
-}
-
-}  // namespace
 
 bool BlockTridiagonal::factor() {
-  for (std::size_t i = 0; i < diagonal_.size(); ++i) {
-    Block& d = diagonal_[i];
-    if (i > 0) {
-      const Block& before = diagonal_[i - 1];
-      Block& b = below_[i - 1];
-      before.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(b);
-      d.noalias() -= b * b.transpose();
+  const auto factored = [&]() SKYWAY_FOUR_LANES {
+    for (std::size_t i = 0; i < size_; ++i) {
+      double* const block = &columns_[i * kBlock];
+      if (!ColumnsCholesky<kSize, kRows>::eliminate(block)) return false;
+      if (i + 1 == size_) break;
+      // What is left of the next block: less B B', of the rows below.
+      for (int j = 0; j < kSize; ++j) {
+        double* const column = block + kBlock + j * kRows;
+        Four sum[kHalf / 4];
+#pragma GCC unroll 4
+        for (int v = 0; v < kHalf / 4; ++v) sum[v] = four(column + 4 * v);
+        for (int k = 0; k < kSize; ++k) {
+          const double* const below = block + k * kRows + kHalf;
+          const double share = below[j];
+#pragma GCC unroll 4
+          for (int v = 0; v < kHalf / 4; ++v) sum[v] -= share * four(below + 4 * v);
+        }
+#pragma GCC unroll 4
+        for (int v = 0; v < kHalf / 4; ++v) four(column + 4 * v) = sum[v];
+      }
     }
-    const Eigen::LLT<Block> cholesky(d);
-    if (cholesky.info() != Eigen::Success) return false;
-    d = cholesky.matrixLLT();
-  }
-  return true;
+    return true;
+  };
+  return with_four_lanes(factored);
 }
 
 void BlockTridiagonal::solve(std::span<double> b) const {
-  assert(b.size() == kSize * diagonal_.size());
-  const std::size_t n = diagonal_.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    if (i > 0) part(b, i) -= below_[i - 1] * part(b, i - 1);
-    Vector y = part(b, i);
-    diagonal_[i].triangularView<Eigen::Lower>().solveInPlace(y);
-    part(b, i) = y;
-  }
-  for (std::size_t i = n; i-- > 0;) {
-    Vector y = part(b, i);
-    if (i + 1 < n) y -= below_[i].transpose() * part(b, i + 1);
-    diagonal_[i].triangularView<Eigen::Lower>().transpose().solveInPlace(y);
-    part(b, i) = y;
-  }
+  assert(b.size() == kSize * size_);
+  const auto solved = [&]() SKYWAY_FOUR_LANES {
+    double at[kRows] = {};  // the block's right side, and the next one's
+    for (std::size_t i = 0; i < size_; ++i) {
+      const double* const block = &columns_[i * kBlock];
+      std::copy_n(at + kHalf, kHalf, at);
+      for (int k = 0; k < kSize; ++k) at[k] += b[kSize * i + static_cast<std::size_t>(k)];
+      std::fill_n(at + kHalf, kHalf, 0.0);
+      for (int j = 0; j < kSize; ++j) {
+        const double* const column = block + j * kRows;
+        const double x = at[j] / column[j];
+        b[kSize * i + static_cast<std::size_t>(j)] = x;
+        for (int v = j / 4; v < kRows / 4; ++v) four(at + 4 * v) -= x * four(column + 4 * v);
+      }
+    }
+    std::fill_n(at, kRows, 0.0);  // the block's solution, and the next one's
+    for (std::size_t i = size_; i-- > 0;) {
+      const double* const block = &columns_[i * kBlock];
+      std::copy_n(at, kHalf, at + kHalf);
+      std::fill_n(at, kHalf, 0.0);
+      for (int j = kSize; j-- > 0;) {
+        const double* const column = block + j * kRows;
+        Four sum = {};
+        for (int v = j / 4; v < kRows / 4; ++v) sum += four(column + 4 * v) * four(at + 4 * v);
+        double& x = b[kSize * i + static_cast<std::size_t>(j)];
+        x = (x - (sum[0] + sum[1] + sum[2] + sum[3])) / column[j];
+        at[j] = x;
+      }
+    }
+  };
+  with_four_lanes(solved);
 }
 
 }  // namespace traj

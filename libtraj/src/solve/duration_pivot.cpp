@@ -1,6 +1,9 @@
 #include "duration_pivot.h"
 
-#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+
+#include "columns_cholesky.h"
 
 namespace traj {
 namespace {
@@ -8,29 +11,46 @@ namespace {
 constexpr int kJoint = Nlp::kJoint;
 constexpr int kTime = Nlp::kTime;
 constexpr int kBoth = 2 * kJoint;  // numbers of the states at both ends
+constexpr int kRows = kBoth + 4;   // and below them the row of the duration
 constexpr double kShift = 1e-6;
 constexpr double kRounding = 1e-13;  // of the largest entry
 
-using States = Eigen::Matrix<double, kBoth, kBoth>;
-using Column = Eigen::Matrix<double, kBoth, 1>;
+using Columns = std::array<double, kBoth * kRows>;
 
 }  // namespace
 
 double duration_pivot(const Nlp::Block& block) {
-  States states;
-  states << block.topLeftCorner<kJoint, kJoint>(), block.topRightCorner<kJoint, kJoint>(),
-      block.bottomLeftCorner<kJoint, kJoint>(), block.bottomRightCorner<kJoint, kJoint>();
-  Column mixed;
-  mixed << block.block<kJoint, 1>(0, kTime), block.block<kJoint, 1>(kTime + 1, kTime);
-  for (int i = 0; i < kBoth; ++i) states(i, i) += states(i, i) == 0 ? 1 : kShift;
-  const double most = states.diagonal().cwiseAbs().maxCoeff();
-  Eigen::LLT<States> factor(states);
-  for (double shift = kRounding; factor.info() != Eigen::Success && shift < 10; shift *= 10) {
-    states.diagonal().array() += shift * most;
-    factor.compute(states);
+  Columns columns{};
+  std::array<double, kBoth> diagonal;
+  double most = 0;
+  for (int j = 0; j < kBoth; ++j) {
+    const int from = j < kJoint ? j : j + 1;
+    double* const column = &columns[static_cast<std::size_t>(j * kRows)];
+    const double* const given = &block(0, from);
+    if (j < kJoint) std::copy_n(given, kJoint, column);
+    std::copy_n(given + kTime + 1, kJoint, column + kJoint);
+    column[kBoth] = j < kJoint ? given[kTime] : block(from, kTime);
+    double& own = diagonal[static_cast<std::size_t>(j)];
+    own = column[j] + (column[j] == 0 ? 1 : kShift);
+    most = std::max(most, std::abs(own));
   }
-  const Column half = factor.matrixL().solve(mixed);
-  return block(kTime, kTime) - half.squaredNorm();
+  Columns factor;
+  const auto factored = [&]() SKYWAY_FOUR_LANES {
+    factor = columns;
+    for (int j = 0; j < kBoth; ++j) {
+      factor[static_cast<std::size_t>(j * kRows + j)] = diagonal[static_cast<std::size_t>(j)];
+    }
+    return ColumnsCholesky<kBoth, kRows>::eliminate(factor.data());
+  };
+  for (double shift = kRounding; !with_four_lanes(factored) && shift < 10; shift *= 10) {
+    for (double& own : diagonal) own += shift * most;
+  }
+  double eliminated = 0;
+  for (int j = 0; j < kBoth; ++j) {
+    const double half = factor[static_cast<std::size_t>(j * kRows + kBoth)];
+    eliminated += half * half;
+  }
+  return block(kTime, kTime) - eliminated;
 }
 
 }  // namespace traj

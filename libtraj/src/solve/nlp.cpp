@@ -13,10 +13,19 @@ namespace {
 constexpr double kUnbounded = 1e20;  // beyond Ipopt's nlp_upper_bound_inf
 constexpr double kJointReach = 10;   // metres a joint may move
 
+Nlp::Lanes lanes(const Vec3& v) { return {v[0], v[1], v[2], 0}; }
+
 }  // namespace
 
 Nlp::Nlp(NlpSpec spec) : spec_(std::move(spec)) {
   assert(spec_.corridor.size() >= 1 && spec_.state.size() == spec_.corridor.size() + 1);
+  for (const QuadraticLimit& limit : spec_.limits) {
+    limits_.push_back({lanes(limit.weight), lanes(limit.shift)});
+  }
+  for (const State& state : spec_.state) {
+    guess_.insert(guess_.end(), {lanes(state.position), lanes(state.velocity),
+                                 lanes(state.acceleration), lanes(state.jerk)});
+  }
   add_variables();
   add_rows();
   add_hessian_entries();
@@ -81,7 +90,7 @@ void Nlp::for_each_local(const Row& row, const F& f) const {
   for (int m = 0; m < kStates; ++m) {
     if (kTables[row.order][row.point][m] == 0 || global(row.piece, local_of(m, 0)) < 0) continue;
     for (int i = 0; i < 3; ++i) {
-      if (row.order > 0 || row.normal[i] != 0) f(m, i);
+      if (row.order > 0 || row.normal[static_cast<std::size_t>(i)] != 0) f(m, i);
     }
   }
 }
@@ -107,7 +116,7 @@ void Nlp::add_rows() {
       if (!moves(k, 0, point) || spec_.corridor[k].planes.empty()) continue;
       const std::size_t first = rows_.size();
       for (const Plane& plane : spec_.corridor[k].planes) {
-        add_row({k, 0, point, plane.normal, 0, false, 0});
+        add_row({k, 0, point, lanes(plane.normal), 0, false, 0});
         bound_.push_back(plane.offset);
       }
       groups_.push_back({0, point, first, rows_.size()});
@@ -116,7 +125,7 @@ void Nlp::add_rows() {
       const QuadraticLimit& limit = spec_.limits[l];
       for (int point = 0; point < kPoints - limit.order; ++point) {
         if (!moves(k, limit.order, point)) continue;
-        add_row({k, limit.order, point, Vec3::Zero(), l, false, 0});
+        add_row({k, limit.order, point, {}, l, false, 0});
         bound_.push_back(limit.bound);
         groups_.push_back({limit.order, point, rows_.size() - 1, rows_.size()});
       }
@@ -128,13 +137,6 @@ void Nlp::add_rows() {
 std::span<const Nlp::Group> Nlp::groups(std::size_t piece) const {
   return std::span(groups_).subspan(first_group_[piece],
                                     first_group_[piece + 1] - first_group_[piece]);
-}
-
-// The constraint's derivative by its Bernstein point.
-Vec3 Nlp::slope(const Row& row, const Vec3& z) const {
-  if (row.order == 0) return row.normal;
-  const QuadraticLimit& limit = spec_.limits[row.limit];
-  return 2 * limit.weight.cwiseProduct(z + limit.shift);
 }
 
 void Nlp::add_hessian_entries() {
@@ -149,120 +151,109 @@ void Nlp::add_hessian_entries() {
   }
 }
 
-State Nlp::state(std::size_t joint, std::span<const double> x) const {
-  State s = spec_.state[joint];
-  if (joint == 0 || joint == spec_.corridor.size()) return s;
-  const double* y = &x[kPiece * joint - kJoint];
-  const auto part = [&](int q) { return Vec3(y[3 * q], y[3 * q + 1], y[3 * q + 2]); };
-  s.position += part(0);
-  s.velocity = part(1) * spec_.scale[joint][1];
-  s.acceleration = part(2) * spec_.scale[joint][2];
-  s.jerk = part(3) * spec_.scale[joint][3];
-  return s;
-}
-
-Nlp::Piece Nlp::piece(std::size_t index, std::span<const double> x) const {
-  const State a = state(index, x);
-  const State b = state(index + 1, x);
-  const double t = x[kPiece * index];
-  return {{a.position, a.velocity, a.acceleration, a.jerk, b.position, b.velocity, b.acceleration,
-           b.jerk},
-          t,
-          Powers(t)};
+// Adds derivatives by the states of a piece.
+SKYWAY_FOUR_LANES inline void Nlp::add_to_states(std::size_t piece,
+                                                 const std::array<Lanes, kStates>& pull,
+                                                 double factor, std::vector<double>& out) const {
+  for (int m = 0; m < kStates; ++m) {
+    const int first = global(piece, local_of(m, 0));
+    if (first < 0) continue;
+    const double share = factor * scale(piece, local_of(m, 0));
+    for (std::size_t i = 0; i < 3; ++i) {
+      out[static_cast<std::size_t>(first) + i] += share * pull[static_cast<std::size_t>(m)][i];
+    }
+  }
 }
 
 double Nlp::objective(std::span<const double> x) const {
-  double sum = 0;
-  for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
-    Piece p = piece(k, x);
-    // The form does not see a common shift; without it large coordinates cancel badly.
-    p.state[4] -= p.state[0];
-    p.state[0].setZero();
-    double snap = 0;
-    for (int m = 1; m < kStates; ++m) {
-      for (int n = 1; n < kStates; ++n) {
-        const int e = power_of(m) + power_of(n) - kDegree;
-        snap += kSnapForm[m][n] * p.power(e) * p.state[m].dot(p.state[n]);
-      }
+  const auto sum = [&]() SKYWAY_FOUR_LANES {
+    double out = 0;
+    for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
+      Piece p = piece(k, x);
+      p.shift_to_start();
+      std::array<Lanes, kStates> half;
+      p.snap_times_states<0>(half);
+      out += p.time + spec_.rho * p.times_states(half);
     }
-    sum += p.time + spec_.rho * snap;
-  }
-  return sum;
+    return out;
+  };
+  return with_four_lanes(sum);
 }
 
 std::vector<double> Nlp::gradient(std::span<const double> x) const {
   std::vector<double> out(x.size(), 0.0);
-  for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
-    Piece p = piece(k, x);
-    p.state[4] -= p.state[0];
-    p.state[0].setZero();
-    double in_time = 1;
-    for (int m = 0; m < kStates; ++m) {
-      Vec3 pull = Vec3::Zero();
-      for (int n = 0; n < kStates; ++n) {
-        const int e = power_of(m) + power_of(n) - kDegree;
-        pull += (kSnapForm[m][n] * p.power(e)) * p.state[n];
-        in_time += spec_.rho * kSnapForm[m][n] * e * p.power(e - 1) * p.state[m].dot(p.state[n]);
-      }
-      for (int i = 0; i < 3; ++i) {
-        const int local = local_of(m, i);
-        if (const int g = global(k, local); g >= 0) {
-          out[static_cast<std::size_t>(g)] += 2 * spec_.rho * pull[i] * scale(k, local);
-        }
-      }
+  const auto add_pieces = [&]() SKYWAY_FOUR_LANES {
+    for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
+      Piece p = piece(k, x);
+      p.shift_to_start();
+      std::array<Lanes, kStates> half;
+      p.snap_times_states<1>(half);
+      out[kPiece * k] += 1 + spec_.rho * p.times_states(half);
+      p.snap_times_states<0>(half);
+      add_to_states(k, half, 2 * spec_.rho, out);
     }
-    out[kPiece * k] += in_time;
-  }
+  };
+  with_four_lanes(add_pieces);
   return out;
 }
 
 std::vector<double> Nlp::constraint_values(std::span<const double> x) const {
-  std::vector<double> out;
-  out.reserve(rows_.size());
-  for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
-    const Piece p = piece(k, x);
-    for (const Group& group : groups(k)) {
-      const Vec3 z = p.value(group.order, group.point);
-      for (std::size_t r = group.first_row; r < group.last_row; ++r) {
-        const Row& row = rows_[r];
-        if (row.order == 0) {
-          out.push_back(row.normal.dot(z));
-          continue;
+  std::vector<double> out(rows_.size());
+  const auto add_pieces = [&]() SKYWAY_FOUR_LANES {
+    for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
+      const Piece p = piece(k, x);
+      for (const Group& group : groups(k)) {
+        Lanes z;
+        p.value(group.order, group.point, z);
+        for (std::size_t r = group.first_row; r < group.last_row; ++r) {
+          const Row& row = rows_[r];
+          Four terms;
+          if (row.order == 0) {
+            terms = four(row.normal.data()) * four(z.data());
+          } else {
+            const LimitLanes& limit = limits_[row.limit];
+            const Four from = four(z.data()) + four(limit.shift.data());
+            terms = four(limit.weight.data()) * (from * from);
+          }
+          out[r] = terms[0] + terms[1] + terms[2];
         }
-        const QuadraticLimit& limit = spec_.limits[row.limit];
-        out.push_back(limit.weight.dot((z + limit.shift).cwiseAbs2()));
       }
     }
-  }
+  };
+  with_four_lanes(add_pieces);
   return out;
 }
 
 std::vector<Nlp::Point> Nlp::points(std::span<const double> x) const {
-  std::vector<Point> out;
-  out.reserve(groups_.size());
-  for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
-    const Piece p = piece(k, x);
-    for (const Group& group : groups(k)) out.push_back(p.point(group.order, group.point));
-  }
+  std::vector<Point> out(groups_.size());
+  const auto add_pieces = [&]() SKYWAY_FOUR_LANES {
+    for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
+      const Piece p = piece(k, x);
+      for (std::size_t g = first_group_[k]; g < first_group_[k + 1]; ++g) {
+        p.point(groups_[g].order, groups_[g].point, out[g]);
+      }
+    }
+  };
+  with_four_lanes(add_pieces);
   return out;
 }
 
 std::vector<double> Nlp::jacobian(std::span<const double> x) const {
   std::vector<double> out;
   out.reserve(jacobian_entries_.size());
-  for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
-    const Piece p = piece(k, x);
-    for (const Group& group : groups(k)) {
-      const Point z = p.point(group.order, group.point);
-      for (std::size_t r = group.first_row; r < group.last_row; ++r) {
-        const Row& row = rows_[r];
-        const Vec3 by_point = slope(row, z.value);
-        for_each_local(row, [&](int m, int i) {
-          out.push_back(by_point[i] * z.weight[static_cast<std::size_t>(m)] *
-                        scale(k, local_of(m, i)));
-        });
-        if (row.on_time) out.push_back(by_point.dot(z.dt));
-      }
+  const std::vector<Point> points = this->points(x);
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    const Point& z = points[g];
+    for (std::size_t r = groups_[g].first_row; r < groups_[g].last_row; ++r) {
+      const Row& row = rows_[r];
+      Lanes by_point;
+      slope(row, z.value, by_point.data());
+      for_each_local(row, [&](int m, int i) {
+        out.push_back(by_point[static_cast<std::size_t>(i)] *
+                      z.weight[static_cast<std::size_t>(m)] * scale(row.piece, local_of(m, i)));
+      });
+      if (!row.on_time) continue;
+      out.push_back(by_point[0] * z.dt[0] + by_point[1] * z.dt[1] + by_point[2] * z.dt[2]);
     }
   }
   return out;
@@ -270,63 +261,73 @@ std::vector<double> Nlp::jacobian(std::span<const double> x) const {
 
 std::vector<double> Nlp::jacobian_times(std::span<const Point> points,
                                         std::span<const double> d) const {
-  std::vector<double> out;
-  out.reserve(rows_.size());
-  for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
-    std::array<Vec3, kStates> step;
-    for (int m = 0; m < kStates; ++m) {
-      for (int i = 0; i < 3; ++i) {
-        const int local = local_of(m, i);
-        const int g = global(k, local);
-        step[static_cast<std::size_t>(m)][i] =
-            g < 0 ? 0 : scale(k, local) * d[static_cast<std::size_t>(g)];
+  std::vector<double> out(rows_.size());
+  const auto add_pieces = [&]() SKYWAY_FOUR_LANES {
+    for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
+      std::array<Lanes, kStates> step{};
+      for (int m = 0; m < kStates; ++m) {
+        const int first = global(k, local_of(m, 0));
+        if (first < 0) continue;
+        for (std::size_t i = 0; i < 3; ++i) {
+          step[static_cast<std::size_t>(m)][i] =
+              scale(k, local_of(m, 0)) * d[static_cast<std::size_t>(first) + i];
+        }
+      }
+      for (std::size_t g = first_group_[k]; g < first_group_[k + 1]; ++g) {
+        const Point& z = points[g];
+        Four moved = d[kPiece * k] * four(z.dt.data());
+#pragma GCC unroll 8
+        for (std::size_t m = 0; m < kStates; ++m) moved += z.weight[m] * four(step[m].data());
+        for (std::size_t r = groups_[g].first_row; r < groups_[g].last_row; ++r) {
+          Lanes by_point;
+          slope(rows_[r], z.value, by_point.data());
+          const Four terms = four(by_point.data()) * moved;
+          out[r] = terms[0] + terms[1] + terms[2];
+        }
       }
     }
-    for (std::size_t g = first_group_[k]; g < first_group_[k + 1]; ++g) {
-      const Group& group = groups_[g];
-      const Point& z = points[g];
-      Vec3 moved = d[kPiece * k] * z.dt;
-      for (std::size_t m = 0; m < kStates; ++m) moved += z.weight[m] * step[m];
-      for (std::size_t r = group.first_row; r < group.last_row; ++r) {
-        out.push_back(slope(rows_[r], z.value).dot(moved));
-      }
-    }
-  }
+  };
+  with_four_lanes(add_pieces);
   return out;
 }
 
 std::vector<double> Nlp::transposed_jacobian_times(std::span<const Point> points,
                                                    std::span<const double> v) const {
   std::vector<double> out(start_.size(), 0.0);
-  for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
-    std::array<Vec3, kStates> pull;
-    pull.fill(Vec3::Zero());
-    for (std::size_t g = first_group_[k]; g < first_group_[k + 1]; ++g) {
-      const Group& group = groups_[g];
-      const Point& z = points[g];
-      Vec3 sum = Vec3::Zero();
-      for (std::size_t r = group.first_row; r < group.last_row; ++r) {
-        sum += v[r] * slope(rows_[r], z.value);
+  const auto add_pieces = [&]() SKYWAY_FOUR_LANES {
+    for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
+      std::array<Lanes, kStates> pull{};
+      Four in_time = {};
+      for (std::size_t g = first_group_[k]; g < first_group_[k + 1]; ++g) {
+        const Point& z = points[g];
+        Four sum = {};
+        for (std::size_t r = groups_[g].first_row; r < groups_[g].last_row; ++r) {
+          Lanes by_point;
+          slope(rows_[r], z.value, by_point.data());
+          sum += v[r] * four(by_point.data());
+        }
+#pragma GCC unroll 8
+        for (std::size_t m = 0; m < kStates; ++m) four(pull[m].data()) += z.weight[m] * sum;
+        in_time += sum * four(z.dt.data());
       }
-      for (std::size_t m = 0; m < kStates; ++m) pull[m] += z.weight[m] * sum;
-      out[kPiece * k] += sum.dot(z.dt);
+      out[kPiece * k] += in_time[0] + in_time[1] + in_time[2];
+      add_to_states(k, pull, 1, out);
     }
-    for (int m = 0; m < kStates; ++m) {
-      for (int i = 0; i < 3; ++i) {
-        const int local = local_of(m, i);
-        const int g = global(k, local);
-        if (g < 0) continue;
-        out[static_cast<std::size_t>(g)] += scale(k, local) * pull[static_cast<std::size_t>(m)][i];
-      }
-    }
-  }
+  };
+  with_four_lanes(add_pieces);
   return out;
 }
 
 Trajectory Nlp::trajectory(std::span<const double> x) const {
+  const auto state = [&](std::size_t index) {
+    std::array<Lanes, 4> parts;
+    joint(index, x, parts.data());
+    const auto part = [&](std::size_t q) { return Vec3(parts[q][0], parts[q][1], parts[q][2]); };
+    return State{part(0), part(1), part(2), part(3)};
+  };
   Trajectory out;
   for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
-    out.segments.push_back(hermite(state(k, x), state(k + 1, x), x[kPiece * k]));
+    out.segments.push_back(hermite(state(k), state(k + 1), x[kPiece * k]));
   }
   return out;
 }

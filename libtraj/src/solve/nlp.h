@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "curve/hermite_form.h"
+#include "four_lanes.h"
 #include "traj/curve/trajectory.h"
 #include "traj/solve/corridor.h"
 
@@ -53,14 +54,15 @@ class Nlp {
   };
   using Block = Eigen::Matrix<double, kLocal, kLocal>;
 
+  using Lanes = std::array<double, 4>;  // x, y, z and 0
+
   // A Bernstein point of a derivative, sum of weight[m] state[m], and its own derivatives in time.
   struct Point {
-    Vec3 value = Vec3::Zero();
-    Vec3 dt = Vec3::Zero();
-    Vec3 dtt = Vec3::Zero();
-    std::array<double, kStates> weight{};
-    std::array<double, kStates> weight_dt{};
+    Lanes value, dt, dtt;
+    std::array<double, kStates> weight, weight_dt;
   };
+
+  struct Piece;  // the states and the duration of a piece, in metres and seconds (nlp_piece.h)
 
   int variables() const { return static_cast<int>(start_.size()); }
   int constraints() const { return static_cast<int>(rows_.size()); }
@@ -85,7 +87,7 @@ class Nlp {
   std::vector<double> hessian(std::span<const double> x, double factor,
                               std::span<const double> multipliers) const;
 
-  // The exact block of one piece; rows and columns of what is fixed are 0.
+  // The exact block of one piece, its lower triangle; rows and columns of what is fixed are 0.
   Block hessian_block(std::size_t piece, std::span<const double> x, double factor,
                       std::span<const double> multipliers) const;
   // The same plus the piece's part of J' diag(weights) J, where J is the constraints' Jacobian.
@@ -109,7 +111,7 @@ class Nlp {
     std::size_t piece;
     int order;  // of the derivative; 0: a plane
     int point;  // Bernstein index
-    Vec3 normal;
+    Lanes normal;
     std::size_t limit;  // its number; of derivatives only
     bool on_time;       // whether it depends on the duration
     std::size_t first_entry;
@@ -120,15 +122,28 @@ class Nlp {
     std::size_t first_row;
     std::size_t last_row;  // one past
   };
-  struct Piece;  // states and duration in metres and seconds, and their derivative points
+  struct LimitLanes {  // of a QuadraticLimit
+    Lanes weight, shift;
+  };
 
-  State state(std::size_t joint, std::span<const double> x) const;
+  // Writes position, velocity, acceleration and jerk of a joint.
+  void joint(std::size_t joint, std::span<const double> x, Lanes* out) const;
   Piece piece(std::size_t index, std::span<const double> x) const;
   double scale(std::size_t piece, int local) const;
   const Vec3& fixed_part(std::size_t piece, int state) const;
   bool moves(std::size_t piece, int order, int point) const;
-  Vec3 slope(const Row& row, const Vec3& z) const;
+  // The constraint's derivative by its Bernstein point.
+  SKYWAY_FOUR_LANES void slope(const Row& row, const Lanes& z, double* out) const {
+    if (row.order == 0) {
+      four(out) = four(row.normal.data());
+    } else {
+      const LimitLanes& limit = limits_[row.limit];
+      four(out) = 2 * four(limit.weight.data()) * (four(z.data()) + four(limit.shift.data()));
+    }
+  }
   std::span<const Group> groups(std::size_t piece) const;
+  void add_to_states(std::size_t piece, const std::array<Lanes, kStates>& pull, double factor,
+                     std::vector<double>& out) const;
   void add_variables();
   void add_rows();
   void add_row(Row row);
@@ -137,6 +152,8 @@ class Nlp {
   void for_each_local(const Row& row, const F& f) const;
 
   NlpSpec spec_;
+  std::vector<Lanes> guess_;  // four a joint
+  std::vector<LimitLanes> limits_;
   std::vector<double> start_, lower_, upper_, bound_;
   std::vector<Row> rows_;
   std::vector<Group> groups_;

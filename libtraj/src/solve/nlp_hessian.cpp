@@ -1,112 +1,147 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 
+#include "four_lanes.h"
 #include "nlp_piece.h"
 
 namespace traj {
 namespace {
 
-// The second derivatives of a block by two numbers of its states. There is a 4 x 4 matrix for each
-// pair of axes, and for each pair of states: start and start, end and start, end and end. A matrix
-// is added column by column, so four numbers are added at once.
+using Bend = std::array<Nlp::Lanes, 3>;  // the second derivatives by a point: a symmetric matrix
+
+// The second derivatives of a block by two numbers of its states, below its diagonal. There is a
+// 4 x 4 matrix for each pair of axes (either way it is the same), and for each pair of states:
+// start and start, end and start, end and end. A column of four numbers is added at once.
 class ByStates {
  public:
-  ByStates() {
-    for (Eigen::Matrix4d& sum : sum_) sum.setZero();
+  static constexpr std::size_t kAxes = 6;  // xx, yx, zx, yy, zy, zz
+  template <class Index>
+  static constexpr std::size_t pair_of(Index i, Index j) {
+    const auto least = static_cast<std::size_t>(std::min(i, j));
+    return least * (5 - least) / 2 + static_cast<std::size_t>(std::max(i, j));
   }
 
-  // The entry of numbers m and n along one axis. If m is of the start, n is, too.
-  double& at(int m, int n, int axis) { return sum(m / 4 + n / 4, axis, axis)(m % 4, n % 4); }
-
-  // Adds weight[m] weight[n] bend.
-  void add(const std::array<double, kStates>& weight, const Eigen::Matrix3d& bend) {
-    const Eigen::Vector4d start(weight.data());
-    const Eigen::Vector4d end(weight.data() + 4);
-    const bool by_start = !start.isZero(0);
-    const bool by_end = !end.isZero(0);
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) {
-        if (by_start) add_to(sum(0, i, j), start * bend(i, j), start);
-        if (by_start && by_end) add_to(sum(1, i, j), end * bend(i, j), start);
-        if (by_end) add_to(sum(2, i, j), end * bend(i, j), end);
-      }
+  // Adds four numbers of column n along each axis: of the start, or the end. Of the end's columns
+  // those of the end.
+  SKYWAY_FOUR_LANES void add_along_axes(int n, bool of_end, const double* column) {
+    for (int axis = 0; axis < 3; ++axis) {
+      four(sum_[(of_end ? 1 : 0) + n / 4][pair_of(axis, axis)][n % 4]) += four(column);
     }
   }
 
-  // The entries of start and end are those of end and start.
-  void write(Nlp::Block& h) {
-    constexpr int kJoint = Nlp::kJoint;
-    for (int j = 0; j < 3; ++j) {
-      for (int n = 0; n < 4; ++n) {
-        double* const by_start = &h(0, local_of(n, j));
-        double* const by_end = &h(0, local_of(4 + n, j));
-        for (int i = 0; i < 3; ++i) {
-          write(sum(0, i, j).col(n), by_start + i);
-          write(sum(1, i, j).col(n), by_start + local_of(4, i));
-          write(sum(2, i, j).col(n), by_end + local_of(4, i));
+  // Adds weight[m] weight[n] bend.
+  SKYWAY_FOUR_LANES void add(const std::array<double, kStates>& weight, const Bend& bend) {
+    const double* const start = weight.data();
+    const double* const end = start + 4;
+    const bool by_start = std::any_of(start, end, [](double w) { return w != 0; });
+    const bool by_end = std::any_of(end, end + 4, [](double w) { return w != 0; });
+    if (by_start) add_to(sum_[0], start, start, bend);
+    if (by_start && by_end) add_to(sum_[1], end, start, bend);
+    if (by_end) add_to(sum_[2], end, end, bend);
+  }
+
+  // Writes the lower triangle, scaled; numbers of a state along one axis are three apart.
+  SKYWAY_FOUR_LANES void write(const std::array<double, Nlp::kLocal>& scales, Nlp::Block& h) const {
+    for (int n = 0; n < kStates; ++n) {
+      for (int j = 0; j < 3; ++j) {
+        double* const column = &h(0, local_of(n, j));
+        const double by_column = scales[static_cast<std::size_t>(local_of(n, j))];
+        for (int part = n / 4; part < 2; ++part) {
+          for (int i = 0; i < 3; ++i) {
+            const auto& from = sum_[part + n / 4][pair_of(i, j)][n % 4];
+            const int to = local_of(4 * part, i);
+#pragma GCC unroll 4
+            for (int m = 0; m < 4; ++m) {
+              column[to + 3 * m] =
+                  from[m] * (by_column * scales[static_cast<std::size_t>(to + 3 * m)]);
+            }
+          }
         }
       }
     }
-    h.topRightCorner<kJoint, kJoint>() = h.bottomLeftCorner<kJoint, kJoint>().transpose();
   }
 
  private:
-  using Quarter = Eigen::Matrix4d;
+  using Quarter = double[4][4];  // columns
 
-  static void add_to(Quarter& sum, const Eigen::Vector4d& row, const Eigen::Vector4d& column) {
-#pragma GCC unroll 4
-    for (int n = 0; n < 4; ++n) sum.col(n) += column[n] * row;
+  SKYWAY_FOUR_LANES static void add_to(Quarter* sums, const double* row, const double* column,
+                                       const Bend& bend) {
+    for (int n = 0; n < 4; ++n) {
+      if (column[n] == 0) continue;  // most points do not depend on all numbers of a state
+      const Four outer = four(row) * column[n];
+#pragma GCC unroll 3
+      for (std::size_t j = 0; j < 3; ++j) {
+#pragma GCC unroll 3
+        for (std::size_t i = j; i < 3; ++i) four(sums[pair_of(i, j)][n]) += bend[j][i] * outer;
+      }
+    }
   }
 
-  // The numbers of a state along one axis are three apart.
-  static void write(const Eigen::Vector4d& column, double* to) {
-#pragma GCC unroll 4
-    for (int m = 0; m < 4; ++m) to[3 * m] = column[m];
-  }
-
-  Quarter& sum(int pair, int row_axis, int column_axis) {
-    return sum_[static_cast<std::size_t>(9 * pair + 3 * row_axis + column_axis)];
-  }
-
-  std::array<Quarter, 27> sum_;
+  Quarter sum_[3][kAxes] = {};
 };
 
-// Adds the second derivatives of factor * (rho * snap). Those by a state and the duration go into
-// the column of the duration alone.
-void add_snap(const std::array<Vec3, kStates>& absolute, const Powers& power, double factor,
-              ByStates& by_states, Nlp::Block& h) {
-  std::array<Vec3, kStates> state = absolute;
-  state[4] -= state[0];
-  state[0].setZero();
-  for (int m = 0; m < kStates; ++m) {
-    Vec3 in_time = Vec3::Zero();
-    for (int n = 0; n < kStates; ++n) {
-      const int e = power_of(m) + power_of(n) - kDegree;
-      const double c = factor * kSnapForm[m][n];
-      const bool made = m >= 4 || n < 4;
-      for (int i = 0; made && i < 3; ++i) by_states.at(m, n, i) += 2 * c * power(e);
-      in_time += (2 * c * e * power(e - 1)) * state[n];
-      h(kTime, kTime) += c * e * (e - 1) / power(2) * power(e) * state[m].dot(state[n]);
+// The second derivatives by the duration and another number: each state's, and its own.
+struct ByDuration {
+  std::array<Nlp::Lanes, kStates> state{};
+  double itself = 0;
+
+  // Writes the duration's row and its column, scaled.
+  SKYWAY_FOUR_LANES void write(const std::array<double, Nlp::kLocal>& scales, Nlp::Block& h) const {
+    for (int m = 0; m < kStates; ++m) {
+      for (int i = 0; i < 3; ++i) {
+        const int local = local_of(m, i);
+        const double entry = state[static_cast<std::size_t>(m)][static_cast<std::size_t>(i)];
+        (m < 4 ? h(kTime, local) : h(local, kTime)) =
+            entry * scales[static_cast<std::size_t>(local)];
+      }
     }
-    for (int i = 0; i < 3; ++i) h(local_of(m, i), kTime) += in_time[i];
+    h(kTime, kTime) = itself;
   }
+};
+
+// Adds the second derivatives of factor * snap.
+SKYWAY_FOUR_LANES inline void add_snap(Nlp::Piece p, double factor, ByStates& by_states,
+                                       ByDuration& by_duration) {
+  p.shift_to_start();
+  for (int n = 0; n < kStates; ++n) {
+    double column[kStates];
+    p.snap_row<0>(n, column);
+    four(column) *= 2 * factor;
+    four(column + 4) *= 2 * factor;
+    if (n < 4) by_states.add_along_axes(n, false, column);
+    by_states.add_along_axes(n, true, column + 4);
+  }
+  std::array<Nlp::Lanes, kStates> half;
+  p.snap_times_states<1>(half);
+#pragma GCC unroll 8
+  for (std::size_t m = 0; m < kStates; ++m) {
+    four(by_duration.state[m].data()) += 2 * factor * four(half[m].data());
+  }
+  p.snap_times_states<2>(half);
+  by_duration.itself += factor * p.times_states(half);
 }
 
 // Adds the second derivatives of a function of one Bernstein point, whose own first derivative is
 // `pull` and second `bend`: what the state and the duration do to the point, and how the point's
-// own derivatives change with the duration. Entries by a state and the duration go into the column
-// of the duration alone.
-void add_point(const Nlp::Point& z, const Vec3& pull, const Eigen::Matrix3d& bend,
-               ByStates& by_states, Nlp::Block& h) {
+// own derivatives change with the duration.
+SKYWAY_FOUR_LANES inline void add_point(const Nlp::Point& z, const Four& pull, const Bend& bend,
+                                        ByStates& by_states, ByDuration& by_duration) {
   by_states.add(z.weight, bend);
-  const Vec3 in_time = bend * z.dt;
-  for (int m = 0; m < kStates; ++m) {
-    const double w = z.weight[static_cast<std::size_t>(m)];
-    if (w == 0) continue;
-    h.block<3, 1>(local_of(m, 0), kTime) +=
-        w * in_time + z.weight_dt[static_cast<std::size_t>(m)] * pull;
+  const Four in_time = z.dt[0] * four(bend[0].data()) + z.dt[1] * four(bend[1].data()) +
+                       z.dt[2] * four(bend[2].data());
+#pragma GCC unroll 8
+  for (std::size_t m = 0; m < kStates; ++m) {
+    four(by_duration.state[m].data()) += z.weight[m] * in_time + z.weight_dt[m] * pull;
   }
-  h(kTime, kTime) += in_time.dot(z.dt) + pull.dot(z.dtt);
+  const Four both = in_time * four(z.dt.data()) + pull * four(z.dtt.data());
+  by_duration.itself += both[0] + both[1] + both[2];
+}
+
+// Adds weight v v'.
+SKYWAY_FOUR_LANES inline void add_square(const Nlp::Lanes& v, double weight, Bend& bend) {
+#pragma GCC unroll 3
+  for (std::size_t i = 0; i < 3; ++i) four(bend[i].data()) += weight * v[i] * four(v.data());
 }
 
 // The block with its eigenvalues' signs dropped. Most are positive definite already, and Cholesky
@@ -133,32 +168,37 @@ Nlp::Block Nlp::condensed_block(std::size_t index, std::span<const double> x,
                                 std::span<const Point> points, double factor,
                                 std::span<const double> multipliers,
                                 std::span<const double> weights) const {
-  const Piece p = piece(index, x);
   Block h = Block::Zero();
   ByStates by_states;
-  add_snap(p.state, p.power, factor * spec_.rho, by_states, h);
-  for (std::size_t g = first_group_[index]; g < first_group_[index + 1]; ++g) {
-    const Group& group = groups_[g];
-    const Point& z = points[g];
-    Vec3 pull = Vec3::Zero();
-    Eigen::Matrix3d bend = Eigen::Matrix3d::Zero();
-    for (std::size_t r = group.first_row; r < group.last_row; ++r) {
-      const Vec3 by_point = slope(rows_[r], z.value);
-      pull += multipliers[r] * by_point;
-      if (!weights.empty()) bend += (weights[r] * by_point) * by_point.transpose();
-      if (group.order > 0) {
-        bend.diagonal() += 2 * multipliers[r] * spec_.limits[rows_[r].limit].weight;
-      }
-    }
-    add_point(z, pull, bend, by_states, h);
-  }
-  by_states.write(h);
-  h.row(kTime) = h.col(kTime).transpose().eval();
+  ByDuration by_duration;
+  std::array<double, kLocal> scales;
   for (int i = 0; i < kLocal; ++i) {
-    const double s = global(index, i) < 0 ? 0 : scale(index, i);
-    h.row(i) *= s;
-    h.col(i) *= s;
+    scales[static_cast<std::size_t>(i)] = global(index, i) < 0 ? 0 : scale(index, i);
   }
+  const auto add_all = [&]() SKYWAY_FOUR_LANES {
+    add_snap(piece(index, x), factor * spec_.rho, by_states, by_duration);
+    for (std::size_t g = first_group_[index]; g < first_group_[index + 1]; ++g) {
+      const Point& z = points[g];
+      Four pull = {};
+      Bend bend{};
+      for (std::size_t r = groups_[g].first_row; r < groups_[g].last_row; ++r) {
+        const Row& row = rows_[r];
+        Lanes by_point;
+        slope(row, z.value, by_point.data());
+        pull += multipliers[r] * four(by_point.data());
+        if (!weights.empty()) add_square(by_point, weights[r], bend);
+        if (row.order == 0) continue;
+#pragma GCC unroll 3
+        for (std::size_t i = 0; i < 3; ++i) {
+          bend[i][i] += 2 * multipliers[r] * limits_[row.limit].weight[i];
+        }
+      }
+      add_point(z, pull, bend, by_states, by_duration);
+    }
+    by_states.write(scales, h);
+    by_duration.write(scales, h);
+  };
+  with_four_lanes(add_all);
   return h;
 }
 

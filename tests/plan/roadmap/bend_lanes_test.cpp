@@ -62,5 +62,40 @@ TEST(BendLanes, AreReachedAsBendsAreOneByOne) {
   EXPECT_GT(reached, 1000);
 }
 
+TEST(BendLanes, LookIntoTheSameNodesAsOneByOne) {
+  support::Random random(2);
+  int into = 0;
+  int past = 0;
+  for (int n = 0; n < 300; ++n) {
+    std::vector<Bend> bends(17 + static_cast<std::size_t>(random.below(500)));
+    Vec3 leaf;
+    for (std::size_t i = 0; i < bends.size(); ++i) {
+      if (i % BendTree::kBendsOfLeaf == 0) leaf = 5 * random_bend(random).position;
+      bends[i] = random_bend(random);
+      bends[i].position += leaf;
+    }
+    const BendTree tree(bends);
+    const Bend from = bends[random.below(bends.size())];
+    const Onward onward(from, across(from, random_bend(random).position - from.position));
+    const Look look{from.position, onward, random.uniform(0, 2000), random.uniform(20, 200)};
+    const Vec3 goal = 5 * random_bend(random).position;
+    std::vector<double> to_goal;
+    for (std::uint32_t i = 0; i < tree.size(); ++i) {
+      to_goal.push_back(BendTree::distance(tree.node(i), goal));
+    }
+    to_goal.resize(tree.size() + BendTree::kChildren);
+    for (std::uint32_t i = 0; i < tree.size(); ++i) {
+      if (tree.node(i).leaf) continue;
+      const unsigned mask = BendLanes::reached(tree, i, look, to_goal.data());
+      ASSERT_EQ(mask, BendLanes::one_by_one(tree, i, look, to_goal.data()));
+      ASSERT_EQ(mask >> tree.node(i).count, 0u);
+      into += mask != 0;
+      past += mask == 0;
+    }
+  }
+  EXPECT_GT(into, 500);
+  EXPECT_GT(past, 500);
+}
+
 }  // namespace
 }  // namespace plan

@@ -65,12 +65,21 @@ TEST(BlockTridiagonal, RefusesWhatIsNotPositiveDefinite) {
   EXPECT_FALSE(zero.banded.factor());
 }
 
-TEST(BlockTridiagonal, IsZeroAgainOnceAskedTo) {
+TEST(BlockTridiagonal, TakesAnotherMatrixOnceItIsFactored) {
   testing::Random random(3);
-  Both both = random_matrix(3, random);
-  both.banded.set_zero();
-  for (std::size_t k = 0; k < 3; ++k) EXPECT_TRUE(both.banded.diagonal(k).isZero(0));
-  for (std::size_t k = 0; k < 2; ++k) EXPECT_TRUE(both.banded.below(k).isZero(0));
+  Both first = random_matrix(3, random);
+  ASSERT_TRUE(first.banded.factor());
+  Both second = random_matrix(3, random);
+  for (std::size_t k = 0; k < 3; ++k) {
+    first.banded.diagonal(k) = second.banded.diagonal(k);
+    if (k < 2) first.banded.below(k) = second.banded.below(k);
+  }
+  std::vector<double> x(3 * kSize, 1.0);
+  std::vector<double> want = x;
+  ASSERT_TRUE(first.banded.factor() && second.banded.factor());
+  first.banded.solve(x);
+  second.banded.solve(want);
+  EXPECT_EQ(x, want);
 }
 
 }  // namespace

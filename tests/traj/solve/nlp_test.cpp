@@ -114,6 +114,9 @@ Vector multipliers(const Nlp& nlp, testing::Random& random) {
   return lambda;
 }
 
+// A symmetric block of which there is the lower triangle.
+Nlp::Block whole(const Nlp::Block& lower) { return lower.selfadjointView<Eigen::Lower>(); }
+
 TEST(Nlp, HessianBlocksMatchFiniteDifferencesBeforeTheirEigenvaluesAreTurned) {
   testing::Random random(3);
   for (int c = 0; c < 5; ++c) {
@@ -122,7 +125,7 @@ TEST(Nlp, HessianBlocksMatchFiniteDifferencesBeforeTheirEigenvaluesAreTurned) {
     const Vector lambda = multipliers(nlp, random);
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(nlp.variables(), nlp.variables());
     for (std::size_t k = 0; k < 4; ++k) {
-      const Nlp::Block h = nlp.hessian_block(k, x, 0.7, lambda);
+      const Nlp::Block h = whole(nlp.hessian_block(k, x, 0.7, lambda));
       for (int i = 0; i < Nlp::kLocal; ++i) {
         for (int j = 0; j < Nlp::kLocal; ++j) {
           const int row = nlp.global(k, i);
@@ -185,8 +188,8 @@ TEST(Nlp, CondensedBlocksAddTheWeightedRows) {
   const auto points = nlp.points(x);
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(nlp.variables(), nlp.variables());
   for (std::size_t k = 0; k < nlp.pieces(); ++k) {
-    const Nlp::Block added =
-        nlp.condensed_block(k, x, points, 1, lambda, weights) - nlp.hessian_block(k, x, 1, lambda);
+    const Nlp::Block added = whole(nlp.condensed_block(k, x, points, 1, lambda, weights) -
+                                   nlp.hessian_block(k, x, 1, lambda));
     for (int i = 0; i < Nlp::kLocal; ++i) {
       for (int j = 0; j < Nlp::kLocal; ++j) {
         const int row = nlp.global(k, i);

@@ -219,33 +219,32 @@ TEST(Solve, ShortLegsRepeatedPointsAndReversalsAreSolved) {
   EXPECT_TRUE(check(scene, result.trajectory, kLimits).ok);
 }
 
-// A leg of decimetres between long ones, at which the part between two cruises does not settle. To
-// optimise all of it instead took 661 iterations.
+// A leg of decimetres between long ones, at which the part between two cruises does not always
+// settle: then a second round without that leg does. To optimise all of one such path instead took
+// 661 iterations.
 TEST(Solve, CruisesBesideALegOfDecimetres) {
   const auto scene = testing::scene_of({}, {Vec3(-3000, -3000, 0), Vec3(3000, 3000, 300)});
   SolveOptions options;
   options.limits = {{Limit::speed, 10}, {Limit::acceleration, 5}};
-  int iterations = 0;
-  struct Case {
-    double leg, turn, before, after;
-  };
-  for (const Case& one :
-       {Case{0.20566318868832945, 0.0031748937111728075, 453.556652099888, 321.05102535200484},
-        Case{0.13560936227143217, 0.00389030510976589, 1327.2735727172935, 415.7402361278612},
-        Case{0.13068683932089425, 0.0058135706508496325, 692.0364909278924, 651.8864637821612},
-        Case{0.15024336141407826, 0.004533739130398718, 1484.4792594148973, 1149.2870288644058}}) {
-    const Vec3 along = Vec3(0.87, 0.49, 0).normalized();
-    const Vec3 aside(one.turn, -one.turn, 0);
+  const Vec3 along = Vec3(0.87, 0.49, 0).normalized();
+  testing::Random random(5);
+  int second_rounds = 0;
+  for (int n = 0; n < 100; ++n) {
+    const double turn = random.number(0.002, 0.008);
+    const Vec3 aside(turn, -turn, 0);
     const Vec3 a(0, 0, 41);
-    const Vec3 b = a + one.leg * Vec3(0.87, 0.49, -0.003).normalized();
-    const geom::Polyline path{a - one.before * (along + aside - Vec3(0, 0, 0.01)), a, b,
-                              b + one.after * (along + 0.1 * aside + Vec3(0, 0, 0.005))};
+    const Vec3 b = a + random.number(0.1, 0.3) * Vec3(0.87, 0.49, -0.003).normalized();
+    const geom::Polyline path{
+        a - random.number(300, 1500) * (along + aside - Vec3(0, 0, 0.01)), a, b,
+        b + random.number(300, 1500) * (along + 0.1 * aside + Vec3(0, 0, 0.005))};
     const SolveResult result = solve(scene, path, options);
-    ASSERT_EQ(result.status, SolveStatus::solved) << result.reason;
-    EXPECT_EQ(result.rounds, 2);
-    iterations += result.iterations;
+    ASSERT_EQ(result.status, SolveStatus::solved) << n << ": " << result.reason;
+    EXPECT_LE(result.rounds, 2) << n;
+    EXPECT_LT(result.iterations, 400) << n;
+    second_rounds += result.rounds == 2 ? 1 : 0;
   }
-  EXPECT_LT(iterations, 500);
+  EXPECT_GT(second_rounds, 5);
+  EXPECT_LT(second_rounds, 50);
 }
 
 TEST(Solve, ProvesEveryFreePathOfARandomCity) {
