@@ -1,9 +1,10 @@
-// tube_agreement CASES FLIGHTS [SEED] [TRAJECTORIES.jsonl or -] [geometric|cascade]: proves tubes
-// of CASES random flights (vehicle, trajectory, winds, gusts, masses, noise), or of the file's
-// trajectories with random disturbances of quad2kg, and flies each FLIGHTS times under disturbances
-// that are allowed: by chance, from one end to the other, and fitted to the vehicle's response.
-// Exit 1 if a flight leaves its tube or saturates a motor. Also says how near to the tube's edge
-// the flights came: 1 over that bounds how far too wide the tube is.
+// tube_agreement CASES FLIGHTS [SEED] [TRAJECTORIES.jsonl or -] [geometric|cascade] [HOP]: proves
+// tubes of CASES random flights (vehicle, trajectory, winds, gusts, masses, noise), or of the
+// file's trajectories with random disturbances of quad2kg, and flies each FLIGHTS times under
+// disturbances that are allowed: by chance, from one end to the other, and fitted to the vehicle's
+// response. HOP is how far a random trajectory goes to each side (default 6 m): short ones allow
+// many flights. Exit 1 if a flight leaves its tube or saturates a motor. Also says how near to the
+// tube's edge the flights came: 1 over that bounds how far too wide the tube is.
 
 #include <fmt/format.h>
 
@@ -42,10 +43,10 @@ struct Outcome {
   bool saturated = false;
 };
 
-// A hop over one or two bends.
-traj::Trajectory hop(Random& random, double speed) {
-  const auto somewhere = [&] {
-    return Vec3(random.uniform(-6, 6), random.uniform(-6, 6), random.uniform(-2, 2));
+// A hop over one or two bends, `far` metres to each side.
+traj::Trajectory hop(Random& random, double speed, double far) {
+  const auto somewhere = [&]() -> Vec3 {
+    return far * Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1) / 3);
   };
   traj::Trajectory out;
   traj::State from;
@@ -53,8 +54,8 @@ traj::Trajectory hop(Random& random, double speed) {
     traj::State to;
     to.position = somewhere();
     if (left > 0) to.velocity = 0.4 * speed * traj::testing::direction(random);
-    const double far = (to.position - from.position).norm();
-    out.segments.push_back(traj::hermite(from, to, std::max(1.0, 2.2 * far / speed)));
+    const double leg = (to.position - from.position).norm();
+    out.segments.push_back(traj::hermite(from, to, std::max(1.0, 2.2 * leg / speed)));
     from = to;
   }
   return out;
@@ -68,14 +69,15 @@ traj::FlightOptions options_of(const std::string& vehicle, traj::ControlLaw law)
   return out;
 }
 
-Case random_case(std::uint64_t seed, traj::ControlLaw law) {
+Case random_case(std::uint64_t seed, traj::ControlLaw law, double far) {
   Random random(seed);
   Case c;
   c.vehicle = seed % 3 == 0 ? "crazyflie" : seed % 3 == 1 ? "quad2kg" : "tello";
   const bool large = c.vehicle == "quad2kg";
   const bool cascade = law == traj::ControlLaw::cascade;
-  c.trajectory = hop(
-      random, large ? random.uniform(2, cascade ? 5 : 8) : random.uniform(0.5, cascade ? 1 : 2));
+  c.trajectory =
+      hop(random, large ? random.uniform(2, cascade ? 5 : 8) : random.uniform(0.5, cascade ? 1 : 2),
+          far);
   c.options = options_of(c.vehicle, law);
   c.options.hover = 1;
   c.options.settle = 0.5;
@@ -106,10 +108,10 @@ Case random_case(std::uint64_t seed, traj::ControlLaw law) {
 }
 
 std::vector<Case> cases_of(const std::string& file, int count, std::uint64_t seed,
-                           traj::ControlLaw law) {
+                           traj::ControlLaw law, double far) {
   std::vector<Case> out;
   if (file.empty()) {
-    for (int i = 0; i < count; ++i) out.push_back(random_case(seed * 1000003 + i, law));
+    for (int i = 0; i < count; ++i) out.push_back(random_case(seed * 1000003 + i, law, far));
     return out;
   }
   std::ifstream in(file);
@@ -169,8 +171,9 @@ int main(int argc, char** argv) {
   const std::string file = argc > 4 && std::string(argv[4]) != "-" ? argv[4] : "";
   const auto law = argc > 5 ? geom::value_of(traj::kControlLawWords, argv[5])
                             : std::optional(traj::ControlLaw::geometric);
-  if (!law) return 2;
-  const std::vector<Case> cases = cases_of(file, count, seed, *law);
+  const double far = argc > 6 ? std::atof(argv[6]) : 6;
+  if (!law || !(far > 0)) return 2;
+  const std::vector<Case> cases = cases_of(file, count, seed, *law, far);
   std::vector<Outcome> outcomes(cases.size());
   geom::parallel_for(cases.size(), {}, [&](std::size_t i) {
     outcomes[i] = outcome(cases[i], flights, seed * 7919 + i);

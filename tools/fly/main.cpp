@@ -76,12 +76,6 @@ void check_usage(const fly::Options& options, const Inputs& inputs, const Output
   if (!outputs.certificate.empty() && !options.proved_tube) {
     throw cli::UsageError("--certificate: give --proved-tube, of whose proof it is");
   }
-  if (!outputs.certificate.empty() &&
-      std::max(options.flown.start_error, options.flown.start_speed) > 0) {
-    throw cli::UsageError(
-        "--certificate holds for flights that begin at rest on the first point: leave out "
-        "--start-error and --start-speed");
-  }
   if (!outputs.certificate.empty() && !options.flown.noise_most.empty()) {
     throw cli::UsageError("--certificate holds for exact sensors: leave out --noise-most");
   }

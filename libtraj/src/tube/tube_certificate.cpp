@@ -97,6 +97,7 @@ std::string tube_certificate_line(const std::string& id, geom::Axes axes,
   line.add("gust_lag", d.gust_lag).add("mass_error", d.mass_error);
   line.add("drag_error", d.drag_error).add("motor_lag_error", d.motor_lag_error);
   line.add("inertia_error", d.inertia_error);
+  line.add("start_error", d.start_error).add("start_speed", d.start_speed);
   line.add("period", kTubePeriod).add("tilt", tube.tilt).add("radius", tube.radius);
   line.add("cells", tube.proofs, [](const ProvedCell& cell) {
     std::vector<int> periods;

@@ -309,3 +309,19 @@ class Period(Plant):
                 yield "the lift may be clipped", np.sqrt(most * most - highest * highest) - across
                 yield "the tilt may be clipped", least * math.tan(claim.tilt_max) - across
         return models, rooms
+
+
+class Start(Period):
+    """The state when the controller first runs, as if it had seen the velocity's error before: so it has no slope yet, and its integral is due. The
+    symbols of lift and velocity stand for how far the vehicle is off, and how fast it moves."""
+
+    def run(self):
+        claim, body, yaw = self.claim, self.body, self.reference(0)[4]
+        off = self.level()
+        body.missing = self.missing()
+        self.want(yaw)
+        missed = [-(claim.position[i] * off[i]) - self.velocity[i] for i in range(3)]
+        change, due = scaled(claim.velocity.p, missed), scaled(self.gains.of_missed, missed)
+        self.turn_wanted_frame(change, yaw, yaw)
+        self.after = [*plus(self.lift, change), *self.velocity, *body.tilt, body.missing, body.heading, *body.rates, *body.spin, *self.filtered,
+                      *self.integral, *missed, *self.rises, *due]

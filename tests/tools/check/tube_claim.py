@@ -34,7 +34,7 @@ VEHICLE = ("mass", "inertia", "arm", "torque_per_thrust", "motor_time_constant",
 GAINS = ("position", "velocity", "attitude", "rates", "lead")
 CASCADE_GAINS = ("position", "velocity", "attitude", "rates", "feed_forward", "tilt_max")
 CLAIM = ("type", "id", "frame", "vehicle", "controller", "gains", "attitude_period_ms", "hover", "settle", "wind", "wind_spread", "gust_most", "gust_lag",
-         "mass_error", "drag_error", "motor_lag_error", "inertia_error", "period", "tilt", "radius", "cells")
+         "mass_error", "drag_error", "motor_lag_error", "inertia_error", "start_error", "start_speed", "period", "tilt", "radius", "cells")
 
 
 class Pid:
@@ -74,6 +74,7 @@ class Claim:
         require(self.gust_lag >= 0.001, "gust_lag must be at least 0.001 s")
         for name in ("mass_error", "drag_error", "motor_lag_error", "inertia_error"):
             setattr(self, name, number(c[name], name, 0, 0.5))
+        self.start_error, self.start_speed = (number(c[name], name, 0, 1000) for name in ("start_error", "start_speed"))
         require(number(c["period"], "period") == 0.1, "period must be 0.1")
         self.tilt = number(c["tilt"], "tilt", 0, math.pi)
         self.radius = [number(r, f"radius[{i}]", 0) for i, r in enumerate(entries(c["radius"], "radius"))]

@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from tube_flight import GRAVITY, STEP
+from tube_flight import STEP
 from tube_models import ROUNDING
 
 SLACK = 1e-9  # by so much the simulator may differ from the equations in each coordinate and period,
@@ -20,7 +20,6 @@ PIECE = 3000  # columns whose images fit a cache
 KEPT = 100  # columns of those that grow old
 RIDGES = (1e-4, 1e-3, 1e-2, 1e-1)  # shares of the squares that keep ties small
 AHEAD = (1, 2, 4, 8, 16)  # so many blocks later columns around others are compared
-LACKS = 8  # row of what the thrust lacks of the lift
 UP = 1 + 1e-12  # above the rounding of sums of thousands of terms of one sign
 
 
@@ -113,25 +112,26 @@ class Terms:
 class Deviations:
     """All that disturbances so far may have done, from block to block."""
 
-    def __init__(self, claim, cell):
+    def __init__(self, claim, cell, state, start):
+        """`start`: the state when the controller first runs, as models for one period (law.Start); `state`: the nominal one."""
         self.claim, self.law, self.rows = claim, claim.law, claim.law.ROWS
         self.block = block_of(claim)  # periods
         self.whole = math.ceil(self.law.WHOLE / (self.block * claim.period * STEP))  # blocks
         rows = self.rows
         self.states, self.changing = rows.states, rows.wind
-        _, radius, factors, halves = cell.nominal()
-        lightness, lightness_half = factors[0], halves[0]
+        _, radius, _, halves = cell.nominal()
         held = np.zeros((self.states, 3))
         held[rows.wind:rows.wind + 3] = np.diag(radius)
         vehicle = np.zeros((self.states, self.states - rows.lightness))  # masses first
         vehicle[rows.lightness:] = np.diag(halves)
-        vehicle[LACKS, 0] = GRAVITY / lightness**2 * lightness_half
-        self.held = Terms(vehicle, held) if cell.is_ball else Terms(np.hstack([held, vehicle]), np.zeros((self.states, 0)))
-        start = np.zeros(self.states)
-        start[LACKS] = GRAVITY * lightness_half**2 / (lightness - lightness_half) ** 3 * UP + SLACK
-        start[:self.changing] += slacks(self.law)
+        off, box = np.zeros((self.states, 6)), slacks(self.law)  # off: balls of the place and of the velocity
+        for i, model in enumerate(start):
+            vehicle[i] = model.l[rows.lightness:self.states, 0]
+            off[i, :3], off[i, 3:] = (model.l[row:row + 3, 0] for row in (rows.lift, rows.velocity))
+            box[i] += (abs(model.c[0] - state[i]) + model.r[0] + ROUNDING * model.size()[0]) * UP
+        self.held = Terms(vehicle, np.hstack([held, off])) if cell.is_ball else Terms(np.hstack([held, vehicle]), off)
         self.none = np.zeros((self.changing, 0))
-        self.tail = Terms(np.diag(start[:self.changing]), self.none)
+        self.tail = Terms(np.diag(box), self.none)
         self.recent, self.aged, self.old = [], [], []
         self.gust = np.zeros((self.changing, 3))
         self.gust[rows.gust:rows.gust + 3] = np.eye(3) * (1 - claim.gust_kept(claim.period)) * claim.gust_most * UP

@@ -13,6 +13,7 @@ import tube_cascade
 import tube_geometric
 from tube_claim import Cell
 from tube_deviations import Around, Deviations, block_of, rows_of
+from tube_models import Model
 
 BLOCK = 25
 PERIODS = 100 * BLOCK
@@ -51,7 +52,19 @@ def worst(forms, period, maps, named, box, begun):
         total += np.linalg.norm(some @ begun["gust"], axis=1) + np.abs(some @ named[k]).sum(1) + np.abs(some) @ box[k]
         forms = forms @ maps[k]
     held = begun["held"]
-    return total + np.abs(forms @ held.intervals).sum(1) + np.linalg.norm(forms @ held.balls, axis=1) + np.abs(forms[:, :width] @ begun["tail"].intervals).sum(1)
+    balls = np.linalg.norm((forms @ held.balls).reshape(len(forms), -1, 3), axis=2).sum(1)
+    return total + np.abs(forms @ held.intervals).sum(1) + balls + np.abs(forms[:, :width] @ begun["tail"].intervals).sum(1)
+
+
+def start_of(claim, chance):
+    """Of some rows of the state, how they depend on place, velocity and lightness, and what is not known."""
+    rows, out = claim.law.ROWS, []
+    for _ in range(rows.lag if claim.law is tube_geometric else rows.tilt):
+        slopes = np.zeros((rows.states, 1))
+        for row in (*range(rows.lift, rows.lift + 3), *range(rows.velocity, rows.velocity + 3), rows.lightness):
+            slopes[row] = 1e-3 * chance.normal()
+        out.append(Model(1e-6 * chance.normal(size=1), slopes, np.full(1, 1e-5)))
+    return out
 
 
 def look_at(claim):
@@ -65,7 +78,7 @@ def look_at(claim):
     box = np.abs(slowly((changing,)) * a_little((changing,))) * 1e-4
     whole = PERIODS if claim.law is tube_geometric else 40 * BLOCK
     for part, periods in (((), whole), ((3,), 10 * BLOCK)):
-        deviations = Deviations(claim, Cell(claim, part))
+        deviations = Deviations(claim, Cell(claim, part), np.zeros(len(maps[0])), start_of(claim, chance))
         assert deviations.block == block_of(claim) == BLOCK
         deviations.box_along(np.eye(len(maps[0]))[SLOW])
         begun = {"gust": deviations.gust.copy(), "held": deviations.held, "tail": deviations.tail}

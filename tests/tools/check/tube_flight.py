@@ -155,16 +155,16 @@ class Quadrotor:
         return out
 
 
-def fly(claim, track, wind, factors, periods, gusts=None):
+def fly(claim, track, wind, factors, periods, gusts=None, off=((0, 0, 0), (0, 0, 0))):
     """The states at the starts of so many periods and one more, and the positions then, of a flight. `gusts` has those of each step.
 
-    It starts at rest on the first reference, claim.before steps before the trajectory.
+    It starts level on the first reference, claim.before steps before the trajectory; `off`: how far from there, and at what velocity.
     """
     references = [r.tolist() for r in track.at(-claim.before, -claim.before + periods * claim.period)]
     first = track.at(-1, -1)
     yaw = float(first[4][0])
     quadrotor, controller = Quadrotor(claim, factors, wind), claim.law.Controller(claim)
-    s = [*first[0][0].tolist(), 0.0, 0.0, 0.0, math.cos(yaw / 2), 0.0, 0.0, math.sin(yaw / 2), 0.0, 0.0, 0.0, *[quadrotor.mass * GRAVITY / 4] * 4]
+    s = [*(first[0][0] + off[0]).tolist(), *map(float, off[1]), math.cos(yaw / 2), 0.0, 0.0, math.sin(yaw / 2), 0.0, 0.0, 0.0, *[quadrotor.mass * GRAVITY / 4] * 4]
     states, places = [], []
     for n in range(periods * claim.period + 1):
         reference = [r[n] for r in references]

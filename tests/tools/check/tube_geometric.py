@@ -142,11 +142,26 @@ class Period(Plant):
         faster = minus(self.body.velocity, self.velocity)
         change = [claim.position[i] * p[:, i] + claim.velocity[i] * v[:, i] + a[:, i]
                   - (claim.position[i] * self.body.moved[i] + claim.velocity[i] * faster[i]) for i in range(3)]
-        body = self.body
-        turn = FrameChange(self.wanted, change, now[4], then[4])
+        self.after = [*self.changed(change, now[4], then[4]), *self.gust_after()]
+
+    def changed(self, change, yaw, next_yaw):
+        """The state up to the gust, when the lift has changed."""
+        body, turn = self.body, FrameChange(self.wanted, change, yaw, next_yaw)
         lag = plus(body.lag, turn.lift)
-        self.after = [*plus(self.lift, change), *body.velocity, *plus(lag, [dot(d, lag) for d in (turn.x, turn.y, turn.z)]),
-                      turn.heading(body.heading, self.frame(body).x), *body.rates, *body.spin, *self.filtered, *body.turned, *self.gust_after()]
+        return [*plus(self.lift, change), *body.velocity, *plus(lag, [dot(d, lag) for d in (turn.x, turn.y, turn.z)]),
+                turn.heading(body.heading, self.frame(body).x), *body.rates, *body.spin, *self.filtered, *body.turned]
 
     def limits(self):
         return motor_limits(self.claim, self.commands)
+
+
+class Start(Period):
+    """The state when the controller first runs. The symbols of lift and velocity stand for how far the vehicle is off, and how fast it moves."""
+
+    def run(self):
+        claim, yaw = self.claim, self.reference(0)[4]
+        off = self.level()
+        self.body.lag = [self.zero(), self.zero(), self.missing()]
+        self.wanted = Frame.along(self.lift, np.sin(yaw), np.cos(yaw))
+        change = [-(claim.position[i] * off[i]) - claim.velocity[i] * self.velocity[i] for i in range(3)]
+        self.after = self.changed(change, yaw, yaw)

@@ -144,6 +144,16 @@ class Plant:
                 air = (self.velocity[i] - self.middle[:, rows.velocity + i]) - (self.wind[i] - self.middle[:, rows.wind + i])
                 self.gust.append((1 / drag) * away + air + self.middle[:, rows.gust + i])
 
+    def level(self):
+        """Takes the symbols of the lift for places, and gives the lift of a vehicle that hovers. Returns the places."""
+        off = [a - self.middle[:, self.rows.lift + i] for i, a in enumerate(self.lift)]
+        self.lift = [self.zero(), self.zero(), self.zero() + GRAVITY]
+        return off
+
+    def missing(self):
+        """What the thrust that holds the true weight lacks of the lift of the weight that is believed."""
+        return GRAVITY - GRAVITY * inverse(self.lightness)
+
     def start_factors(self):
         """How the true vehicle differs from the believed one; nothing where that has no range."""
         claim, rows = self.claim, self.rows

@@ -60,10 +60,20 @@ class CellProof:
         claim = self.claim
         self.states, self.places = fly(claim, self.track, self.wind, self.factors, self.count)
         self.references = self.track.at(-claim.before, (self.count + 1) * claim.period - claim.before)
-        deviations = Deviations(claim, self.cell)
+        deviations = Deviations(claim, self.cell, self.states[0], self.start())
         chunk = max(1, CHUNK // deviations.block) * deviations.block
         for first in range(0, self.count, chunk):
             self.follow_chunk(first, min(first + chunk, self.count), deviations)
+
+    def start(self):
+        """The state when the controller first runs, for all starts and masses."""
+        claim, rows, scales = self.claim, self.rows, np.zeros((1, self.rows.states))
+        scales[:, rows.lift:rows.lift + 3], scales[:, rows.velocity:rows.velocity + 3] = claim.start_error, claim.start_speed
+        scales[:, rows.lightness:] = self.scales[0, rows.lightness:]
+        try:
+            return claim.law.Start(claim, self.states[:1], scales, self.references, np.array([0])).after
+        except SidewaysError:
+            raise Refused("a thrust or lift may point sideways at the start") from None
 
     def follow_chunk(self, first, last, deviations):
         chunk = Chunk(self, first, last)
