@@ -10,8 +10,9 @@ import random
 import subprocess
 import sys
 import tempfile
+from fractions import Fraction as F
 
-from verify_together import Refused, verify, verify_files
+from verify_together import Claim, Flight, Refused, Traffic, beyond, clearly_beyond, verify, verify_files
 
 bin_dir = sys.argv[1]
 random.seed(5)
@@ -130,6 +131,55 @@ def mutants(records, certificate):
         yield "no number", changed(lambda r, c: c[claim]["separation"]["reach"].__setitem__(2, None))
 
 
+def require_sound_traffic(parked, far):
+    """No two parts that exact boxes leave near each other are missing from what floats find."""
+    records = many(12) + [flight(f"far {i}", 20, [far, far, 40 + 3 * i], [far + 30, far, 40 + 3 * i]) for i in range(2)]
+    flights = [Flight(record) for record in records]
+    line = {"parked": parked, "flights": [f.id for f in flights], "epoch": records[0]["epoch"], "separation": {"shape": "cylinder", "reach": [12, 12, 5]}}
+    claim = Claim(line, flights, records)
+    traffic, near = Traffic(flights, claim), 0
+    pairs = traffic.pairs()
+    for k, b in enumerate(flights):
+        for i, a in enumerate(flights[:k]):
+            parts = [[f.part(n, parked) for n in range(len(traffic.parts[j]))] for f, j in ((a, i), (b, k))]
+            assert [len(p) for p in parts] == [len(f.lengths) + 2 * (parked == "pad") for f in (a, b)]
+            reach = [r + a.gap + b.gap for r in claim.zone[1]]
+            found = {(p, q) for p, one in enumerate(parts[0]) for q, other in enumerate(parts[1])
+                     if not (one.is_over_before(other) or other.is_over_before(one) or one.away_from(other, reach, [float(r) for r in reach]))}
+            assert not found or (i, k) in pairs, (a.id, b.id)
+            assert found <= set(traffic.near(i, k)), (a.id, b.id)
+            near += len(found)
+    assert near > 2 and (far > 1e6 or len(pairs) < len(flights) * (len(flights) - 1) // 2), (near, len(pairs))
+
+
+def require_clear_is_beyond():
+    """What floats call clear is beyond in fractions; they see it of what is further than a tenth of a millimetre."""
+    clear = 0
+    for _ in range(3000):
+        zone = random.choice(("cylinder", "box")), [F(random.uniform(1, 40))] * 2 + [F(random.uniform(1, 10))]
+        side = random.choice(([random.randint(-2**31 + 1, 2**31 - 1), random.randint(1, 2**31 - 1), 0], [0, 0, 1], [-3, 0, 0], [5, -4, 0]))
+        gap, size = F(random.choice((0, 1e-9, 0.5))), sum(n * n for n in side) ** 0.5
+        level = zone[0] == "cylinder" and side[2] == 0
+        edge = float(zone[1][0]) if level else sum(abs(n) * float(r) for n, r in zip(side, zone[1])) / size
+        edge += float(gap) * sum(map(abs, side)) / size
+        off, along = random.choice((1e-7, -1e-7, 3e-6, 1e-4, 0.0, -1e-4)), random.uniform(-1e5, 1e5)
+        point = [n / size * (edge + off) + along * t for n, t in zip(side, (-side[1] / size, side[0] / size, 0))]
+        exact, found = beyond(zone, gap, side, [F(c) for c in point]), clearly_beyond(zone, gap, side, [point])
+        assert exact or not found, (zone, side, point)
+        assert found or off < 1e-4
+        clear += found
+    assert clear > 500
+
+
+def require_floats_near_fractions():
+    for record in many(20):
+        one = Flight(record)
+        for _ in range(5):
+            times = sorted(F(random.uniform(float(one.joints[0]), float(one.joints[1]))) for _ in range(2))
+            for rough, exact in zip(one.roughly_over(*times), one.over(*times)):
+                assert all(abs(F(a) - b) < 1e-9 for a, b in zip(rough, exact))
+
+
 def check(records, *options):
     records = those_apart(records, *options)
     write("t.jsonl", records)
@@ -144,6 +194,11 @@ def check(records, *options):
         assert not holds(some, lines), (what, options)
 
 
+require_clear_is_beyond()
+require_floats_near_fractions()
+for parked in ("pad", "gone"):
+    require_sound_traffic(parked, 500)
+    require_sound_traffic(parked, 5e6)
 with tempfile.TemporaryDirectory() as folder:
     os.chdir(folder)
     with open("e.csv", "w", encoding="utf-8") as file:

@@ -8,10 +8,13 @@ should be. docs/certificates.md says what is checked, and what is not.
 """
 
 import ast
+import concurrent.futures
 import functools
 import hashlib
 import json
 import math
+import multiprocessing
+import os
 import re
 import struct
 import sys
@@ -704,15 +707,44 @@ def verify_files(record_file, map_file, certificate_file):
     box_map, records, certificates = BoxMap(map_file), by_id(record_file), by_id(certificate_file, ("apart", "together", "clear_of", "clear_of_moving", "returns"))
     print(f"map {box_map.hash}: {len(box_map.boxes)} boxes, bounds {json.dumps(box_map.bounds)}")
     refused = [f"{name!a}: refused: there is no record of this certificate" for name in certificates if name not in records]
-    for name, record in records.items():
+    names = list(records)
+
+    def look(i):
+        """Whether a record has a certificate that holds, and what to say of it."""
+        name = names[i]
         try:
             require(name in certificates, "there is no certificate")
-            shown_to_hold = verify(record, certificates[name], box_map)
-            print(f"{name!a}: holds for {json.dumps(shown_to_hold)}")
+            return True, f"{name!a}: holds for {json.dumps(verify(records[name], certificates[name], box_map))}"
         except Refused as reason:
-            refused.append(f"{name!a}: refused: {reason}")
+            return False, f"{name!a}: refused: {reason}"
+
+    for holds, words in on_all_cores(look, len(names)):
+        if holds:
+            print(words)
+        else:
+            refused.append(words)
     print("\n".join(refused), end="\n" if refused else "")
     return len(refused)
+
+
+ALONE = 16  # that are not worth several processes
+look_of_all = None  # for other processes, which have it from the start
+
+
+def look_at(i):
+    return look_of_all(i)
+
+
+def on_all_cores(look, count):
+    """What look(i) gives for each i below `count`, in order; by several processes if there are many."""
+    global look_of_all
+    cores = os.cpu_count() or 1
+    if cores == 1 or count < ALONE:
+        yield from map(look, range(count))
+        return
+    look_of_all = look
+    with concurrent.futures.ProcessPoolExecutor(cores, multiprocessing.get_context("fork")) as pool:
+        yield from pool.map(look_at, range(count), chunksize=max(1, count // (64 * cores)))
 
 
 def run_main(usage, files, verified):

@@ -144,11 +144,7 @@ def outward(ring):
 
 def room_around(outer, inner):
     """How far the inner ring stays inside every edge of the outer one, m; below 0 where it does not."""
-    return room_within(outward(outer), inner)
-
-
-def room_within(edges, inner):
-    return min(-max((p[0] - a[0]) * n[0] + (p[1] - a[1]) * n[1] for p in inner) for a, n in edges)
+    return min(-max((p[0] - a[0]) * n[0] + (p[1] - a[1]) * n[1] for p in inner) for a, n in outward(outer))
 
 
 def disjoint(one, other):
@@ -206,6 +202,11 @@ def places_of(record, enu):
         begin += segment["duration"]
 
 
+def sides_for(ring, room):
+    """Of each edge (x, y, most): the middle p of a box of half sizes `room` has p . (x, y) <= most where all of the box is inside."""
+    return [(x, y, a[0] * x + a[1] * y - abs(x) * room[0] - abs(y) * room[1] + TOLERANCE / 10) for a, (x, y) in outward(ring)]
+
+
 def check_held(record, volumes, method, claims, enu):
     stray = claims["tube"]["largest"] if "tube" in claims else claims["margin"]
     room = [h + stray + method["around"] for h in claims["half"]]
@@ -213,16 +214,14 @@ def check_held(record, volumes, method, claims, enu):
         room[0], room[1] = room[1], room[0]
     begin = instant(record["epoch"]).timestamp() + record["start"]
     height = method["origin"][2]
-    spaces = [(v["from"].timestamp() - 1e-6, v["until"].timestamp() + 1e-6, v["low"] - height - 1e-6, v["high"] - height + 1e-6,
-               outward(v["ring"])) for v in volumes]
-    for seconds, p in places_of(record, enu):
+    spaces = [(v["from"].timestamp() - 1e-6, v["until"].timestamp() + 1e-6, v["low"] - height - 1e-6 + room[2],
+               v["high"] - height + 1e-6 - room[2], sides_for(v["ring"], room)) for v in volumes]
+    for seconds, (east, north, up) in places_of(record, enu):
         now = begin + seconds
-        corners = [(p[0] + x * room[0], p[1] + y * room[1]) for x in (-1, 1) for y in (-1, 1)]
         there = [space for space in spaces if space[0] <= now <= space[1]]
         if not there:
             raise Refused(f"{claims['volumes']}: no volume is there {seconds:.3f} s after the start")
-        if not any(low <= p[2] - room[2] and p[2] + room[2] <= high and room_within(edges, corners) >= -TOLERANCE / 10
-                   for _, _, low, high, edges in there):
+        if not any(low <= up <= high and all(east * x + north * y <= most for x, y, most in sides) for _, _, low, high, sides in there):
             raise Refused(f"{claims['volumes']}: no volume holds the vehicle {seconds:.3f} s after the start")
 
 
@@ -369,7 +368,7 @@ def check_certificates(folder, found):
         follow(folder, "verify_certificate.py", ["flights.jsonl", "map.boxmap", "certificates.jsonl"])
 
 
-def check_pairs(folder, found, submission):
+def check_pairs(folder, found, submission, flights):
     """A folder that says which pairs come too near is honest, and no yes."""
     asked, said = submission["method"].get("together"), submission.get("pairs")
     require((asked is None) == (said is None) == ("pairs.jsonl" not in found), "submission.json", "pairs are missing")
@@ -379,8 +378,7 @@ def check_pairs(folder, found, submission):
     pairs, together = records[:-1], records[-1]
     require(together["type"] == "together" and all(one["type"] == "pair" for one in pairs), "pairs.jsonl", "other records")
     require(said["too_near"] == len(pairs) == together["refused"], "pairs.jsonl", "another number of pairs")
-    flights = lines(folder, "flights.jsonl")
-    require(said["compared"] == together["pairs"] == len(flights) * (len(flights) - 1) // 2, "pairs.jsonl",
+    require(said["compared"] == together["pairs"] == flights * (flights - 1) // 2, "pairs.jsonl",
             "not all pairs were compared")
     require(not pairs, "pairs.jsonl", f"{len(pairs)} of {said['compared']} pairs of flights come too near, as the folder says itself")
     for key, sides in (("separation", asked.get("separation", asked.get("separation_box"))), ("downwash", asked.get("downwash"))):
@@ -402,7 +400,7 @@ def check(folder):
     require(len(claims) == submission["flights"], "claims.jsonl", "flights are missing")
     require(set(records) == {c["id"] for c in claims if c["kind"] == "trajectory"}, "claims.jsonl", "its flights are others")
     check_certificates(folder, found)
-    check_pairs(folder, found, submission)
+    check_pairs(folder, found, submission, len(records))
     check_tubes(folder, method, records, claims)
     cells = population(folder, origin)
     for one in claims:
