@@ -93,6 +93,7 @@ int main(int argc, char** argv) {
     drone_files.terrain.refuse_idle(drone_files.reading.rules);
     drone_files.autopilot.settle(vehicle.profile());
     const cli::Contents contents = read(files, drone_files, metres);
+    cli::DroneFileOptions::require_used(app, contents.drone_formats);
     std::optional<view::Frames> frames;
     if (!pictures.names.empty()) frames = view::read_frames(pictures);
     view::Bundle bundle;

@@ -44,7 +44,8 @@ struct Contents {
   std::vector<Read<traj::PairSummary>> pairs;         // beside the reports: flights held against
   std::vector<Read<traj::TogetherSummary>> together;  // one another
   std::vector<Read<traj::ContingencyRecord>> contingencies;
-  std::vector<Read<traj::TubeRecord>> tubes;  // of the reports of simulated flights
+  std::vector<Read<traj::TubeRecord>> tubes;    // of the reports of simulated flights
+  std::vector<std::string_view> drone_formats;  // of the drone files among the inputs
 };
 
 // What is taken beside paths, trajectories, trees and flights: not every picture shows all.

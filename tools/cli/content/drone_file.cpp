@@ -120,6 +120,12 @@ void DroneFileOptions::require_used(std::string_view of_format, std::string_view
   if (app) cli::require_used(*app, reading_options(), of_format, because);
 }
 
+void DroneFileOptions::require_used(const CLI::App& parser,
+                                    std::vector<std::string_view> of_formats) {
+  of_formats.insert(of_formats.end(), {kRecordsWord, kFlightLogWord});
+  cli::require_used(parser, reading_options(), of_formats, "no file is one of these");
+}
+
 void DroneFileOptions::add_mission_to(CLI::App& parser) {
   parser
       .add_option("--acceptance", reading.rules.acceptance,

@@ -11,10 +11,15 @@ namespace cli {
 
 void require_used(const CLI::App& app, std::span<const FormatOption> table, std::string_view format,
                   std::string_view because) {
+  require_used(app, table, std::span(&format, 1), because);
+}
+
+void require_used(const CLI::App& app, std::span<const FormatOption> table,
+                  std::span<const std::string_view> formats, std::string_view because) {
   for (const FormatOption& row : table) {
     if (!app.get_option_no_throw(row.option)) continue;
-    const bool read =
-        std::find(row.formats.begin(), row.formats.end(), format) != row.formats.end();
+    const bool read = std::find_first_of(row.formats.begin(), row.formats.end(), formats.begin(),
+                                         formats.end()) != row.formats.end();
     std::string others;  // " or with --return"
     bool used = read;
     for (const char* with : row.with) {

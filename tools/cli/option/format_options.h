@@ -38,6 +38,10 @@ struct FormatOption {
 void require_used(const CLI::App& app, std::span<const FormatOption> table, std::string_view format,
                   std::string_view because);
 
+// The same for files of several formats: an option is used if one of them uses it.
+void require_used(const CLI::App& app, std::span<const FormatOption> table,
+                  std::span<const std::string_view> formats, std::string_view because);
+
 // "city.osm is read as osm".
 std::string read_as(std::string_view file, std::string_view format);
 
