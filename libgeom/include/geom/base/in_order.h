@@ -18,6 +18,7 @@
 #include <condition_variable>
 #include <cstddef>
 #include <exception>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -46,7 +47,7 @@ class OrderedStream {
 
  private:
   struct Held {
-    std::optional<Item> item;    // none once next() threw
+    std::unique_ptr<Item> item;  // none once next() threw; most streams never fill the window
     std::exception_ptr failure;  // of next() or work(): thrown when its turn comes
     bool done = false;
   };
@@ -61,7 +62,7 @@ class OrderedStream {
     }
     Held& held = held_[read_ % held_.size()];  // nobody else knows it yet
     try {
-      held.item = next_();
+      if (std::optional<Item> item = next_()) held.item = std::make_unique<Item>(std::move(*item));
     } catch (...) {
       held.failure = std::current_exception();
     }
