@@ -47,8 +47,8 @@ class BendTree {
 
   static geom::Aabb box(const Node& node);
 
-  // The boxes of a node's children, for a look at all of them at once. Those that it has not are
-  // infinitely far from everything.
+  // The boxes of a node's children, for a look at all of them at once. Children that a node lacks
+  // are infinitely far from everything.
   struct Children {
     float min[3][kChildren];
     float max[3][kChildren];
@@ -56,8 +56,8 @@ class BendTree {
   // Of a node that is no leaf.
   const Children& children(std::uint32_t i) const { return children_[i - leaves_]; }
 
-  // Calls f(first, count) for the bends of leaves, from the root on down: below node i, which is no
-  // leaf, for those of its children whose bits are in pick(i).
+  // Calls f(first, count) for the bends of leaves, from the root down. Of node i, which is no leaf,
+  // it goes into the children whose bits are in pick(i).
   template <class Pick, class F>
   void for_leaves(const Pick& pick, const F& f) const {
     if (!empty()) for_leaves(root(), pick, f);

@@ -11,8 +11,8 @@ namespace {
 using Bend = std::array<Nlp::Lanes, 3>;  // the second derivatives by a point: a symmetric matrix
 
 // The second derivatives of a block by two numbers of its states, below its diagonal. There is a
-// 4 x 4 matrix for each pair of axes (either way it is the same), and for each pair of states:
-// start and start, end and start, end and end. A column of four numbers is added at once.
+// 4 x 4 matrix for each pair of states (start and start, end and start, end and end) and each pair
+// of axes; the pairs xy and yx share one. A column of four numbers is added at once.
 class ByStates {
  public:
   static constexpr std::size_t kAxes = 6;  // xx, yx, zx, yy, zy, zz
@@ -22,8 +22,8 @@ class ByStates {
     return least * (5 - least) / 2 + static_cast<std::size_t>(std::max(i, j));
   }
 
-  // Adds four numbers of column n along each axis: of the start, or the end. Of the end's columns
-  // those of the end.
+  // Adds to column n, along each axis, its four entries by the numbers of the start or of the end.
+  // A column of the end (n >= 4) has entries by the end alone.
   SKYWAY_FOUR_LANES void add_along_axes(int n, bool of_end, const double* column) {
     for (int axis = 0; axis < 3; ++axis) {
       four(sum_[(of_end ? 1 : 0) + n / 4][pair_of(axis, axis)][n % 4]) += four(column);
