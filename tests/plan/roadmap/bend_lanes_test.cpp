@@ -68,7 +68,7 @@ TEST(BendLanes, LookIntoTheSameNodesAsOneByOne) {
   int past = 0;
   for (int n = 0; n < 300; ++n) {
     std::vector<Bend> bends(17 + static_cast<std::size_t>(random.below(500)));
-    Vec3 leaf;
+    Vec3 leaf = Vec3::Zero();
     for (std::size_t i = 0; i < bends.size(); ++i) {
       if (i % BendTree::kBendsOfLeaf == 0) leaf = 5 * random_bend(random).position;
       bends[i] = random_bend(random);
