@@ -27,14 +27,21 @@
 namespace cli {
 namespace {
 
+[[noreturn]] void end_without_memory() {
+  say(program_invocation_short_name);
+  say(": out of memory\n");
+  _exit(static_cast<int>(Exit::failed));
+}
+
 // Memory may run out before run_tool() catches: while a tool makes its options, or before main().
+// With very little of it not even the exception can be made.
 [[noreturn]] void end_without_catch() {
+  constexpr std::size_t kException = 256;  // bytes: more than one takes
   try {
     if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
+    if (!std::malloc(kException)) end_without_memory();
   } catch (const std::bad_alloc&) {
-    say(program_invocation_short_name);
-    say(": out of memory\n");
-    _exit(static_cast<int>(Exit::failed));
+    end_without_memory();
   } catch (...) {
   }
   __gnu_cxx::__verbose_terminate_handler();

@@ -18,6 +18,7 @@ limits = int(sys.argv[3]) if len(sys.argv) > 3 else 12
 LEAST = 12 << 20  # bytes of address space
 MOST = 1 << 30
 STEP = 1 << 18
+PAGE = 1 << 12
 RANGE = 20 << 20  # how far below what is enough to look
 
 
@@ -115,6 +116,16 @@ def main():
             least = max(LEAST, enough - RANGE)  # with less the system cannot even map the program
             for k in range(limits):
                 attempt(enough - (enough - least) * k // limits)
+            # Where the program has just been loaded, there is no memory for an exception either.
+            least, enough = LEAST, MOST
+            while enough - least > PAGE:
+                middle = (least + enough) // 2
+                if attempt(middle) == "not started":
+                    least = middle
+                else:
+                    enough = middle
+            for k in range(24):
+                attempt(enough + k * PAGE)
             attempt(MOST)
             assert seen.get("the same"), (title, seen)  # the most is enough
             counts[title] = seen
