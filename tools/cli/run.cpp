@@ -34,7 +34,7 @@ namespace {
 }
 
 // Memory may run out before run_tool() catches: while a tool makes its options, or before main().
-// With very little of it not even the exception can be made.
+// The exception itself takes memory. If there is none for it, there is no exception.
 [[noreturn]] void end_without_catch() {
   constexpr std::size_t kException = 256;  // bytes: more than one takes
   try {

@@ -105,27 +105,23 @@ def main():
                 seen[how] = seen.get(how, 0) + 1
                 return how
 
+            def least_for(does, step):
+                """A limit with which attempts are as they should be, and with a step less are not."""
+                least, enough = LEAST, MOST
+                while enough - least > step:
+                    middle = (least + enough) // 2
+                    least, enough = (least, middle) if does(attempt(middle)) else (middle, enough)
+                return enough
+
             # Where memory is just too little something is lost that is needed late.
-            least, enough = LEAST, MOST
-            while enough - least > STEP:
-                middle = (least + enough) // 2
-                if attempt(middle) == "the same":
-                    enough = middle
-                else:
-                    least = middle
+            enough = least_for(lambda how: how == "the same", STEP)
             least = max(LEAST, enough - RANGE)  # with less the system cannot even map the program
             for k in range(limits):
                 attempt(enough - (enough - least) * k // limits)
             # Where the program has just been loaded, there is no memory for an exception either.
-            least, enough = LEAST, MOST
-            while enough - least > PAGE:
-                middle = (least + enough) // 2
-                if attempt(middle) == "not started":
-                    least = middle
-                else:
-                    enough = middle
+            loaded = least_for(lambda how: how != "not started", PAGE)
             for k in range(24):
-                attempt(enough + k * PAGE)
+                attempt(loaded + k * PAGE)
             attempt(MOST)
             assert seen.get("the same"), (title, seen)  # the most is enough
             counts[title] = seen

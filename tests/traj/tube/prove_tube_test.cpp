@@ -106,7 +106,7 @@ TEST(ProveTube, HoldsFlightsThatMisreadTheirSensors) {
                ControlLaw::cascade);
 }
 
-// With noise the tube is far too wide then: the readings of several runs have no symbols.
+// With noise such a tube is far too wide, because the readings of several runs have no symbols.
 TEST(ProveTube, HoldsFlightsWhosePositionLoopIsTheFaster) {
   FlightOptions options = flight_of("quad2kg", ControlLaw::cascade);
   options.periods = {3, 4};

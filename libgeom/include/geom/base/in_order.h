@@ -47,7 +47,7 @@ class OrderedStream {
 
  private:
   struct Held {
-    std::unique_ptr<Item> item;  // none once next() threw; most streams never fill the window
+    std::unique_ptr<Item> item;  // none once next() threw
     std::exception_ptr failure;  // of next() or work(): thrown when its turn comes
     bool done = false;
   };
