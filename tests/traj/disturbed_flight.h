@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "flight/geometric_controller.h"
@@ -29,8 +30,9 @@ struct Fate {
   double drag_error = 0;
   double motor_lag_error = 0;
   Vec3 inertia_error = Vec3::Zero();
-  Vec3 place = Vec3::Zero();     // m, from where the reference begins
-  Vec3 velocity = Vec3::Zero();  // m/s, then
+  std::optional<Gains> gains = {};  // else those that are believed
+  Vec3 place = Vec3::Zero();        // m, from where the reference begins
+  Vec3 velocity = Vec3::Zero();     // m/s, then
   std::function<Vec3(long)> towards =
       {};  // m/s, what the gust runs towards from a step of 1 ms on, counted
            // from the start of the hovering before the trajectory
@@ -76,7 +78,7 @@ bool fly_seen(const References& references, const FlightOptions& options, const 
   state.velocity = fate.velocity;
   state.attitude = Eigen::AngleAxisd(references.first.yaw, Vec3::UnitZ());
   state.thrust = Motors::Constant(vehicle.mass * 9.80665 / 4);
-  Controller controller(options.quadrotor, options.gains, options.periods);
+  Controller controller(options.quadrotor, fate.gains.value_or(options.gains), options.periods);
   Vec3 gust = Vec3::Zero();
   const double kept = std::exp(-kStep / d.gust_lag);
   bool saturated = false;
@@ -146,6 +148,13 @@ inline Vec3 direction(support::Random& random) {
   return v.normalized();
 }
 
+inline std::array<Vec3*, 13> gains_of(Gains& k) {
+  GeometricGains& g = k.geometric;
+  return {&g.position,   &g.velocity,   &g.attitude,   &g.rates,      &g.lead,
+          &k.position.p, &k.velocity.p, &k.velocity.i, &k.velocity.d, &k.attitude,
+          &k.rates.p,    &k.rates.i,    &k.rates.d};
+}
+
 // Draws flights that are allowed: winds and masses at the edge or anywhere, and gusts and readings
 // by chance (0), that jump from one end to the other (1), or that fit the response in hover, so
 // that they push as far as they can along some direction at some instant (2).
@@ -171,6 +180,12 @@ class Fates {
     fate.drag_error = off(d_.drag_error);
     fate.motor_lag_error = off(d_.motor_lag_error);
     for (double& axis : fate.inertia_error) axis = off(d_.inertia_error);
+    if (d_.gain_error > 0) {
+      fate.gains = options_.gains;
+      for (Vec3* gain : gains_of(*fate.gains)) {
+        for (double& axis : *gain) axis *= 1 + off(d_.gain_error);
+      }
+    }
     fate.place = off(d_.start_error) * push;
     fate.velocity = off(d_.start_speed) * (random.uniform(0, 1) < 0.5 ? push : direction(random));
     const auto last =

@@ -79,15 +79,30 @@ Triple<S> follow(const CascadeLoop& loop, const Vec3& asked, const Triple<S>& ve
   return change;
 }
 
+// How much more lift the velocity loop asks for than with exact gains.
+template <class S>
+Triple<S> more_lift(const CascadeLoop& loop, const Outer<S>& outer, const GainErrors<S>& gains) {
+  const PidGains& k = loop.gains.velocity;
+  const Vec3 forward =
+      loop.gains.feed_forward.acceleration * outer.asked + kGravity * Vec3::UnitZ();
+  const Triple<S> pushed = scaled(triple(k.p), outer.missed);
+  const Triple<S> damped = scaled(triple(k.d), outer.slope);
+  const Triple<S> sum = outer.lift - triple(forward) - pushed - damped;
+  return scaled(gains.velocity, pushed) + scaled(gains.velocity_i, sum) +
+         scaled(gains.velocity_d, damped);
+}
+
 // `velocity` as it is read.
 template <class S>
-PositionRun<S> run_of(const CascadeLoop& loop, const Outer<S>& outer, const Triple<S>& velocity) {
+PositionRun<S> run_of(const CascadeLoop& loop, const Outer<S>& outer, const Triple<S>& velocity,
+                      const GainErrors<S>& gains) {
   PositionRun<S> run;
   run.velocity = outer.missed + velocity;
-  run.lift = outer.lift;
-  run.acceleration = outer.lift;
-  run.acceleration.z = outer.lift.z - kGravity;
-  run.before = run.acceleration - scaled(triple(LiftGains(loop).of_missed), outer.missed);
+  run.lift = gains.none ? outer.lift : outer.lift + more_lift(loop, outer, gains);
+  run.acceleration = run.lift;
+  run.acceleration.z = run.lift.z - kGravity;
+  run.before =
+      run.acceleration - by_gain(LiftGains(loop).of_missed, gains, gains.velocity_i, outer.missed);
   return run;
 }
 
@@ -113,7 +128,8 @@ Triple<S> tilt_first(const Frame<S>& is) {
 // The rates that are wanted.
 template <class S>
 Triple<S> orient(const CascadeLoop& loop, const Wanted<S>& wanted, const TiltedBody<S>& body,
-                 const Reference& reference, const Readings<S>& readings) {
+                 const Reference& reference, const Readings<S>& readings,
+                 const GainErrors<S>& gains) {
   Frame<S> is = frame_of(body, wanted);
   if (!readings.exact) {
     const Frame<S> off = misread(is, readings.turn[0]);
@@ -121,28 +137,29 @@ Triple<S> orient(const CascadeLoop& loop, const Wanted<S>& wanted, const TiltedB
   }
   const Triple<S> error = tilt_first(is);
   const double forward = loop.gains.feed_forward.body_rates;
-  const Triple<S> rates = scaled(triple(loop.gains.attitude), error);
+  const Triple<S> rates = by_gain(loop.gains.attitude, gains, gains.attitude, error);
   if (forward == 0) return rates;
   return rates + forward * rates_along(wanted.frame, reference);
 }
 
 // The integral of the rate loop, a millisecond later.
 template <class S>
-Triple<S> grown(const PidGains& k, const Triple<S>& integral, const Triple<S>& error) {
-  return integral + scaled(triple(Vec3(kMillisecond * k.i)), error);
+Triple<S> grown(const PidGains& k, const GainErrors<S>& gains, const Triple<S>& integral,
+                const Triple<S>& error) {
+  return integral + by_gain(Vec3(kMillisecond * k.i), gains, gains.rates_i, error);
 }
 
 // The rate loop in this millisecond, by the body's rates and their low-passed slope as it sees
 // them.
 template <class S>
-RateRun<S> turn(const PidGains& k, const Triple<S>& rates, const Triple<S>& integral,
-                const Triple<S>& body_rates, const Triple<S>& filtered) {
+RateRun<S> turn(const PidGains& k, const GainErrors<S>& gains, const Triple<S>& rates,
+                const Triple<S>& integral, const Triple<S>& body_rates, const Triple<S>& filtered) {
   const Triple<S> error = rates - body_rates;
-  const Triple<S> pushed = scaled(triple(k.p), error);
-  const Triple<S> damped = scaled(triple(k.d), filtered);
+  const Triple<S> pushed = by_gain(k.p, gains, gains.rates, error);
+  const Triple<S> damped = by_gain(k.d, gains, gains.rates_d, filtered);
   RateRun<S> run;
   run.before = pushed + integral - damped;
-  run.spin = pushed + grown(k, integral, error) - damped;
+  run.spin = pushed + grown(k, gains, integral, error) - damped;
   return run;
 }
 
@@ -151,11 +168,12 @@ template <class S>
 class Period {
  public:
   Period(const CascadeLoop& loop, const CascadeState<S>& s, const CascadeReferences& references,
-         const Readings<S>& readings)
+         const Readings<S>& readings, const GainErrors<S>& off_by)
       : loop_(loop),
         start_(s),
         references_(references),
         readings_(readings),
+        off_by_(off_by),
         gains_(loop),
         outer_{s.lift, s.missed, s.slope, s.due + scaled(triple(gains_.of_drift), s.velocity),
                references.last_asked},
@@ -176,7 +194,7 @@ class Period {
     for (int j = 0; j < period; ++j) {
       if ((references_.step + j) % loop_.periods.position == 0) run_position(j);
       if (j == 0) {
-        step_.rates = orient(loop_, wanted_, body_, references_.at[0], readings_);
+        step_.rates = wanted_rates();
         name_errors(step_.rates, CascadeRows::kStates);
       }
       advance(j);
@@ -202,14 +220,25 @@ class Period {
                                     readings_.exact ? nullptr : &misread, outer_);
     turn_to(wanted_, change_of(wanted_, change, frame.yaw, frame.yaw), body_);
     wanted_ = wanted_for(outer_.lift, frame);
-    step_.runs.push_back(run_of(loop_, outer_, velocity));
+    step_.runs.push_back(run_of(loop_, outer_, velocity, off_by_));
     step_.runs.back().millisecond = j;
+  }
+
+  // The wanted frame is that of the lift with exact gains. Others ask for another attitude.
+  Triple<S> wanted_rates() const {
+    const Reference& now = references_.at[0];
+    if (off_by_.none) return orient(loop_, wanted_, body_, now, readings_, off_by_);
+    const Triple<S> more = more_lift(loop_, outer_, off_by_);
+    TiltedBody<S> seen = body_;
+    turn_to(wanted_, change_of(wanted_, more, now.yaw, now.yaw), seen);
+    return orient(loop_, wanted_for(outer_.lift + more, now), seen, now, readings_, off_by_);
   }
 
   // The noise of the velocity's error. Its symbols can stand for one run of the position loop only.
   Triple<S> misread_error() {
-    Triple<S> out =
-        Triple<S>{} - scaled(triple(loop_.gains.position.p), readings_.place) - readings_.velocity;
+    const Triple<S> place =
+        by_gain(loop_.gains.position.p, off_by_, off_by_.position, readings_.place);
+    Triple<S> out = Triple<S>{} - place - readings_.velocity;
     if (step_.runs.empty()) name_errors(out, CascadeRows::kStates + 6 + 3 * kLongestPeriod);
     return out;
   }
@@ -223,18 +252,24 @@ class Period {
       rates = rates + readings_.rates[j];
       filtered = filtered + (kFilterShare / kMillisecond) * readings_.rates[j];
     }
-    step_.turns.push_back(turn(pid, step_.rates, integral_, rates, filtered));
+    step_.turns.push_back(turn(pid, off_by_, step_.rates, integral_, rates, filtered));
     Held<S> held;
     held.thrust = wanted_.frame.size;
+    if (!off_by_.none) {
+      const Triple<S> more = more_lift(loop_, outer_, off_by_);
+      held.beyond = change_of(wanted_, more, references_.at[0].yaw, references_.at[0].yaw).growth;
+      held.thrust = held.thrust + *held.beyond;
+    }
     held.spin = step_.turns.back().spin + gyroscopic(loop_.model.inertia, rates);
     const int symbol = CascadeRows::kStates + 3 + 3 * j;
     name_errors(held.spin, symbol);
-    integral_ = grown(pid, integral_, step_.rates - body_.rates);
+    integral_ = grown(pid, off_by_, integral_, step_.rates - body_.rates);
     Triple<S> misread;
     if (!readings_.exact) {
       const Vec3 gain = pid.p + kMillisecond * pid.i + (kFilterShare / kMillisecond) * pid.d;
       misread = retold(readings_.rates[j], held.spin, gain, symbol);
-      integral_ = integral_ - scaled(triple(Vec3(kMillisecond * pid.i)), misread);
+      integral_ =
+          integral_ - by_gain(Vec3(kMillisecond * pid.i), off_by_, off_by_.rates_i, misread);
     }
     step_.commands.push_back(motors(loop_.model, held));
     held.wind = wind_in(start_.wind, start_.gust, loop_.gusts, j);
@@ -250,10 +285,11 @@ class Period {
     step_.upright.push_back(in_world(wanted_.frame, frame_of(body_, wanted_).z).z);
     const Reference& now = references_.at[j];
     const Reference& next = references_.at[j + 1];
-    const Vec3& k = loop_.gains.position.p;
-    const Vec3 led = k.cwiseProduct(next.position - now.position) +
-                     loop_.gains.feed_forward.velocity * (next.velocity - now.velocity);
-    const Triple<S> drift = triple(led) - scaled(triple(k), body_.moved - before.moved);
+    const Triple<S> lost =
+        triple(Vec3(next.position - now.position)) - (body_.moved - before.moved);
+    const Vec3 led = loop_.gains.feed_forward.velocity * (next.velocity - now.velocity);
+    const Triple<S> drift =
+        by_gain(loop_.gains.position.p, off_by_, off_by_.position, lost) + triple(led);
     outer_.lead = outer_.lead + scaled(triple(gains_.of_drift), drift);
   }
 
@@ -283,6 +319,7 @@ class Period {
   const CascadeState<S>& start_;
   const CascadeReferences& references_;
   const Readings<S>& readings_;
+  const GainErrors<S>& off_by_;
   LiftGains gains_;
   Outer<S> outer_;
   Wanted<S> wanted_;
@@ -303,16 +340,19 @@ LiftGains::LiftGains(const CascadeLoop& loop)
 
 template <class S>
 CascadeStep<S> cascade_step(const CascadeLoop& loop, const CascadeState<S>& state,
-                            const CascadeReferences& references, const Readings<S>& readings) {
-  return Period<S>(loop, state, references, readings).run();
+                            const CascadeReferences& references, const Readings<S>& readings,
+                            const GainErrors<S>& gains) {
+  return Period<S>(loop, state, references, readings, gains).run();
 }
 
 using Model = CascadeRows::Model;
 
 template CascadeStep<double> cascade_step(const CascadeLoop&, const CascadeState<double>&,
-                                          const CascadeReferences&, const Readings<double>&);
+                                          const CascadeReferences&, const Readings<double>&,
+                                          const GainErrors<double>&);
 template CascadeStep<Model> cascade_step(const CascadeLoop&, const CascadeState<Model>&,
-                                         const CascadeReferences&, const Readings<Model>&);
+                                         const CascadeReferences&, const Readings<Model>&,
+                                         const GainErrors<Model>&);
 
 CascadeState<Model> cascade_at_rest(const Model& lightness) {
   CascadeState<Model> s;
@@ -327,10 +367,12 @@ CascadeState<Model> cascade_at_rest(const Model& lightness) {
 // The velocity loop has no derivative when it first runs, as if it had seen this error before. Its
 // integral is not in the lift yet, but due.
 CascadeState<Model> cascade_starting(const CascadeLoop& loop, const Model& lightness,
-                                     const Reference& first, const Off<Model>& off) {
+                                     const Reference& first, const Off<Model>& off,
+                                     const GainErrors<Model>& gains) {
   CascadeState<Model> s = cascade_at_rest(lightness);
   const Wanted<Model> wanted = wanted_at(s.lift, first);
-  s.missed = Triple<Model>{} - scaled(triple(loop.gains.position.p), off.place) - off.velocity;
+  const Triple<Model> place = by_gain(loop.gains.position.p, gains, gains.position, off.place);
+  s.missed = Triple<Model>{} - place - off.velocity;
   s.due = scaled(triple(LiftGains(loop).of_missed), s.missed);
   const Triple<Model> change = scaled(triple(loop.gains.velocity.p), s.missed);
   TiltedBody<Model> body;

@@ -8,6 +8,7 @@
 
 #include "traj/flight/controller.h"
 #include "tube/cascade_state.h"
+#include "tube/gain_errors.h"
 #include "tube/loop_step.h"
 #include "tube/plant.h"
 #include "tube/readings.h"
@@ -77,7 +78,8 @@ struct CascadeStep {
 // those of the rates that are wanted, of the velocity, and what the position loop reads.
 template <class S>
 CascadeStep<S> cascade_step(const CascadeLoop& loop, const CascadeState<S>& state,
-                            const CascadeReferences& references, const Readings<S>& readings = {});
+                            const CascadeReferences& references, const Readings<S>& readings = {},
+                            const GainErrors<S>& gains = {});
 
 // The state of a vehicle at rest on a reference that rests, its heading too. Thrust holds its true
 // weight.
@@ -87,6 +89,7 @@ CascadeState<CascadeRows::Model> cascade_at_rest(const CascadeRows::Model& light
 CascadeState<CascadeRows::Model> cascade_starting(const CascadeLoop& loop,
                                                   const CascadeRows::Model& lightness,
                                                   const Reference& first,
-                                                  const Off<CascadeRows::Model>& off);
+                                                  const Off<CascadeRows::Model>& off,
+                                                  const GainErrors<CascadeRows::Model>& gains = {});
 
 }  // namespace traj

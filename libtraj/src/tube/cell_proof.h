@@ -9,6 +9,7 @@
 //                                                  times counted from the period's start; a model's
 //                                                  own radius is a larger bound, and cheaper,
 //   Vec3 offset() const                            position minus reference in the middle,
+//   double stretch() const                         times which offset and deviations may be larger,
 //   void look_at_hover(long n, const Matrix& map)  whether the loop settles,
 //   auto memory() const, void recall(memory)       what it keeps from period to period, to come
 //                                                  back to.
@@ -285,7 +286,7 @@ class CellProof {
                        std::abs(m.z.c - wanted.z()) + m.z.radius());
       further = std::max(further, moved.norm());
     }
-    return law().offset().norm() + errors_.reach(place_) + further + kSlack;
+    return law().stretch() * (law().offset().norm() + errors_.reach(place_)) + further + kSlack;
   }
 
   template <class Step>

@@ -26,8 +26,8 @@ Triple<S> attitude_error(const Frame<S>& is, const S& height_of_x, const S& heig
 
 // The commands of this millisecond. The thrust that is missing changes with them.
 template <class S>
-Held<S> commanded(const Loop& loop, const Wanted<S>& wanted, const Readings<S>& readings, int j,
-                  Body<S>& body) {
+Held<S> commanded(const Loop& loop, const Wanted<S>& wanted, const Readings<S>& readings,
+                  const GainErrors<S>& off_by, int j, Body<S>& body) {
   const GeometricGains& k = loop.gains;
   const Frame<S> is = frame_of(body, wanted);
   const S shrink = inverse(wanted.frame.size);
@@ -53,8 +53,9 @@ Held<S> commanded(const Loop& loop, const Wanted<S>& wanted, const Readings<S>& 
   const Triple<S> towards = {dot(seen.x, wr), dot(seen.y, wr), dot(seen.z, wr)};
   Held<S> held;
   held.thrust = wanted.frame.size * seen.z.z;
-  held.spin = Triple<S>{} - scaled(triple(k.attitude), error) -
-              scaled(triple(k.rates), w - towards) - scaled(triple(k.lead), filtered) +
+  held.spin = Triple<S>{} - by_gain(k.attitude, off_by, off_by.attitude, error) -
+              by_gain(k.rates, off_by, off_by.rates, w - towards) -
+              by_gain(k.lead, off_by, off_by.rates_d, filtered) +
               gyroscopic(loop.model.inertia, w) - cross(w, towards);
   return held;
 }
@@ -70,11 +71,21 @@ void take_back(const GeometricGains& k, const Triple<S>& misread, const Triple<S
   body.filtered = body.filtered - (kKept / kMillisecond) * rates;
 }
 
-// How much more lift the controller asks for than with exact readings.
+// How much more lift the controller asks for than with exact readings and gains.
 template <class S>
-Triple<S> misread_lift(const GeometricGains& k, const Readings<S>& readings) {
-  Triple<S> out = Triple<S>{} - scaled(triple(k.position), readings.place) -
-                  scaled(triple(k.velocity), readings.velocity);
+Triple<S> more_lift(const GeometricGains& k, const LoopState<S>& s, const Reference& reference,
+                    const Readings<S>& readings, const GainErrors<S>& gains) {
+  const Triple<S> misplaced = scaled(triple(k.position), readings.place);
+  const Triple<S> mistimed = scaled(triple(k.velocity), readings.velocity);
+  Triple<S> out = Triple<S>{} - misplaced - mistimed;
+  if (!gains.none) {
+    // lift = kp (p_r - p) + kv (v_r - v) + a_r + g
+    const Triple<S> damped = scaled(triple(k.velocity), triple(reference.velocity) - s.velocity);
+    const Vec3 forward = reference.acceleration + kGravity * Vec3::UnitZ();
+    const Triple<S> pulled = s.lift - triple(forward) - damped;
+    out = out + scaled(gains.position, pulled - misplaced) +
+          scaled(gains.velocity, damped - mistimed);
+  }
   name_errors(out, kLoopStates + 3 * kLongestPeriod);
   return out;
 }
@@ -87,7 +98,7 @@ double gust_kept(const Loop& loop, int milliseconds) {
 
 template <class S>
 LoopStep<S> loop_step(const Loop& loop, const LoopState<S>& s, const LoopReferences& references,
-                      const Readings<S>& readings) {
+                      const Readings<S>& readings, const GainErrors<S>& gains) {
   Wanted<S> wanted = wanted_at(s.lift, references.now);
   Body<S> body;
   body.velocity = s.velocity;
@@ -98,15 +109,16 @@ LoopStep<S> loop_step(const Loop& loop, const LoopState<S>& s, const LoopReferen
   body.turned = s.turned;
   body.filtered = s.filtered;
   LoopStep<S> step;
-  Triple<S> more;  // than with exact readings
-  if (!readings.exact) {
-    more = misread_lift(loop.gains, readings);
+  const bool exact = readings.exact && gains.none;
+  Triple<S> more;  // than with exact readings and gains
+  if (!exact) {
+    more = more_lift(loop.gains, s, references.now, readings, gains);
     const double yaw = references.now.yaw;
     turn_to(wanted, change_of(wanted, more, yaw, yaw), body);
     wanted = wanted_at(s.lift + more, references.now);
   }
   for (int j = 0; j < loop.period; ++j) {
-    Held<S> held = commanded(loop, wanted, readings, j, body);
+    Held<S> held = commanded(loop, wanted, readings, gains, j, body);
     name_errors(held.spin, kLoopStates + 3 * j);
     if (!readings.exact) take_back(loop.gains, readings.rates[j], held.spin, j, body);
     step.commands.push_back(motors(loop.model, held));
@@ -125,7 +137,7 @@ LoopStep<S> loop_step(const Loop& loop, const LoopState<S>& s, const LoopReferen
                     now.acceleration;
   const Triple<S> change = triple(feed) - scaled(triple(k.position), body.moved) -
                            scaled(triple(k.velocity), body.velocity - s.velocity);
-  const Triple<S> turned = readings.exact ? change : change - more;
+  const Triple<S> turned = exact ? change : change - more;
   turn_to(wanted, change_of(wanted, turned, now.yaw, next.yaw), body);
   LoopState<S>& out = step.state;
   out.lift = s.lift + change;
@@ -143,9 +155,10 @@ LoopStep<S> loop_step(const Loop& loop, const LoopState<S>& s, const LoopReferen
 }
 
 template LoopStep<double> loop_step(const Loop&, const LoopState<double>&, const LoopReferences&,
-                                    const Readings<double>&);
+                                    const Readings<double>&, const GainErrors<double>&);
 template LoopStep<TaylorModel> loop_step(const Loop&, const LoopState<TaylorModel>&,
-                                         const LoopReferences&, const Readings<TaylorModel>&);
+                                         const LoopReferences&, const Readings<TaylorModel>&,
+                                         const GainErrors<TaylorModel>&);
 
 LoopState<TaylorModel> resting(const TaylorModel& lightness) {
   LoopState<TaylorModel> s;

@@ -10,6 +10,7 @@
 
 #include "traj/flight/gains.h"
 #include "traj/flight/reference.h"
+#include "tube/gain_errors.h"
 #include "tube/loop_state.h"
 #include "tube/readings.h"
 
@@ -45,10 +46,10 @@ struct LoopStep {
 };
 
 // Second-order terms of the torques become symbols, from kLoopStates on, three a millisecond, and
-// three more for what the lift is off by what was read.
+// three more for what the lift is off by readings and gains.
 template <class S>
 LoopStep<S> loop_step(const Loop& loop, const LoopState<S>& state, const LoopReferences& references,
-                      const Readings<S>& readings = {});
+                      const Readings<S>& readings = {}, const GainErrors<S>& gains = {});
 
 // The state of a vehicle at rest on a reference that rests, its heading too. Thrust holds its true
 // weight.

@@ -121,6 +121,9 @@ TiltedBody<S> slope(const Quadrotor& q, const Wanted<S>& wanted, const TiltedBod
   const S sunk = (b.tilt_x * b.tilt_x + b.tilt_y * b.tilt_y) * inverse(1.0 + f.z.z);  // 1 - f.z.z
   const Triple<S> lag = {-(thrust * b.tilt_x), -(thrust * b.tilt_y), b.missing + thrust * sunk};
   TiltedBody<S> d = motion_slope(q, wanted, f, b, lag, held);
+  if (held.beyond) {
+    d.missing = d.missing - (1 / q.motor_time_constant) * (held.quickness * *held.beyond);
+  }
   const Triple<S> z = axis_slope(f, b);
   d.tilt_x = z.x;
   d.tilt_y = z.y;

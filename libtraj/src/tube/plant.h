@@ -3,6 +3,7 @@
 // The vehicle between two steps of a millisecond, seen from the frame that its controller wants.
 
 #include <array>
+#include <optional>
 
 #include "traj/flight/quadrotor.h"
 #include "tube/wanted_frame.h"
@@ -61,8 +62,9 @@ Frame<S> frame_of(const TiltedBody<S>& body, const Wanted<S>&) {
 // What holds during a millisecond.
 template <class S>
 struct Held : VehicleFactors<S> {
-  S thrust{};      // m/s2 that is asked for
-  Triple<S> spin;  // rad/s2 that are asked for
+  S thrust{};               // m/s2 that is asked for,
+  std::optional<S> beyond;  // and by how much that is beyond the size of a TiltedBody's lift
+  Triple<S> spin;           // rad/s2 that are asked for
   Triple<S> wind;
 };
 

@@ -16,7 +16,9 @@ class CascadeProof : public CellProof<CascadeProof, Rows> {
                const TubeCell& cell)
       : CellProof(track, options, d, cell, begin(track, options, d, cell), order(options.periods)),
         loop_(loop_of(options, d)),
-        readings_(readings_within<Model>(d)) {
+        readings_(readings_within<Model>(d)),
+        gains_(gain_errors_within<Model>(d)),
+        gain_error_(d.gain_error) {
     const LiftGains k(loop_);
     for (int i = 0; i < 3; ++i) {
       const double shrink = -1 / loop_.gains.position.p[i];
@@ -38,7 +40,7 @@ class CascadeProof : public CellProof<CascadeProof, Rows> {
   }
 
   CascadeStep<Model> step(const CascadeState<Model>& state) {
-    return cascade_step(loop_, state, references_, readings_);
+    return cascade_step(loop_, state, references_, readings_, gains_);
   }
 
   std::optional<TubeTrouble> limit_met(const CascadeStep<Model>& step,
@@ -48,6 +50,10 @@ class CascadeProof : public CellProof<CascadeProof, Rows> {
     if (!first_clip(loop_, step, roughly)) return {};
     return first_clip(loop_, step, [&](const Model& m) { return room * bound_of(m); });
   }
+
+  // The velocity's error is that of the true gain of the position loop. It is 1 + an error times
+  // the believed one, which turns the velocity's error into a place.
+  double stretch() const { return 1 / (1 - gain_error_) * (1 + 1e-14); }
 
   // The velocity's error = kp (p_r - p) + f v_r - v.
   Vec3 offset() const {
@@ -91,12 +97,14 @@ class CascadeProof : public CellProof<CascadeProof, Rows> {
     const Model lightness = lightness_of(cell);
     if (!may_start_off(d)) return cascade_at_rest(lightness);
     return cascade_starting(loop_of(options, d), lightness, first_reference(track, options),
-                            start_off(d));
+                            start_off(d), gain_errors_within<Model>(d));
   }
 
   CascadeLoop loop_;
   CascadeReferences references_;
   Readings<Model> readings_;
+  GainErrors<Model> gains_;
+  double gain_error_;
   Vec3 last_asked_ = Vec3::Zero();
   Matrix modes_ = Matrix::Identity();
 };

@@ -11,7 +11,8 @@ class GeometricProof : public CellProof<GeometricProof, GeometricRows> {
                  const TubeCell& cell)
       : CellProof(track, options, d, cell, begin(track, options, d, cell), 1),
         loop_(loop_of(options, d)),
-        readings_(readings_within<TaylorModel>(d)) {
+        readings_(readings_within<TaylorModel>(d)),
+        gains_(gain_errors_within<TaylorModel>(d)) {
     for (int i = 0; i < 3; ++i) {
       place_(i, i) = -1 / loop_.gains.position[i];
       place_(i, kVelocity + i) = -loop_.gains.velocity[i] / loop_.gains.position[i];
@@ -21,7 +22,7 @@ class GeometricProof : public CellProof<GeometricProof, GeometricRows> {
   void load(long n) { load_references(n); }
 
   LoopStep<TaylorModel> step(const LoopState<TaylorModel>& state) {
-    return loop_step(loop_, state, {at_.front(), at_.back()}, readings_);
+    return loop_step(loop_, state, {at_.front(), at_.back()}, readings_, gains_);
   }
 
   // The first motor whose command may leave its range.
@@ -53,6 +54,8 @@ class GeometricProof : public CellProof<GeometricProof, GeometricRows> {
     return -(asked - damped).cwiseQuotient(loop_.gains.position);
   }
 
+  double stretch() const { return 1; }
+
   void look_at_hover(long n, const ErrorMatrix& map) {
     if (n == -before_ && !settles(map)) note(TubeTrouble::Kind::unstable, n);
   }
@@ -76,6 +79,7 @@ class GeometricProof : public CellProof<GeometricProof, GeometricRows> {
 
   Loop loop_;
   Readings<TaylorModel> readings_;
+  GainErrors<TaylorModel> gains_;
 };
 
 }  // namespace

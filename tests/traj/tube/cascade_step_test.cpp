@@ -48,6 +48,17 @@ Vec3 velocity_error(const CascadeLoop& loop, const CascadeState<double>& s) {
   return vector(s.missed) + drift;
 }
 
+GainErrors<Model> exactly(const GainErrors<double>& errors) {
+  GainErrors<Model> out;
+  out.none = errors.none;
+  std::vector<double> shares;
+  GainErrors<double> all = errors;
+  testing::for_each(all, [&](double share) { shares.push_back(share); });
+  std::size_t at = 0;
+  testing::for_each(out, [&](Model& m) { m = shares[at++]; });
+  return out;
+}
+
 // The largest difference from the simulator's flight, at any step of the attitude loop.
 double disagreement(const FlightOptions& options, double yaw, double error, std::uint64_t seed) {
   const ReferenceTrack track(testing::bend(yaw));
@@ -57,7 +68,7 @@ double disagreement(const FlightOptions& options, double yaw, double error, std:
   const long before = std::lround(options.hover / kStep);
   CascadeState<double> s = testing::numbers<CascadeRows>(
       cascade_starting(loop, 1 / (1 + error), references_of(track, options, -before, before).at[0],
-                       flight.off<Model>()));
+                       flight.off<Model>(), exactly(flight.gains)));
   flight.set(s);
   double worst = 0;
   const long steps = std::lround((track.duration() + options.settle) / kStep);
@@ -68,12 +79,12 @@ double disagreement(const FlightOptions& options, double yaw, double error, std:
       const Vec3 velocity = vector(s.velocity);
       const Vec3 missed = velocity_error(loop, s);
       const Vec3 off = -(missed + velocity - options.gains.feed_forward.velocity * now.velocity)
-                            .cwiseQuotient(options.gains.position.p);
+                            .cwiseQuotient(flight.fate.gains->position.p);
       worst = std::max(worst, flight.off(n, off, velocity, vector(s.rates), vector(s.spin)));
     }
     const int every = options.periods.position;
     const int run = (every - static_cast<int>(references.step % every)) % every;
-    s = cascade_step(loop, s, references, flight.readings(n + before, run)).state;
+    s = cascade_step(loop, s, references, flight.readings(n + before, run), flight.gains).state;
     s.gust = s.gust + flight.gust(n + before, period);
   }
   return worst;
@@ -124,9 +135,10 @@ TEST(CascadeStep, BoundsEveryStep) {
     const CascadeReferences references = references_of(
         track, options, 4 * static_cast<long>(random.below(2400)), 4 * random.below(9));
     const Vec3 lift = references.at[0].acceleration + kGravity * Vec3::UnitZ();
-    const testing::AnyReadings read(random, k % 2 == 0);
+    const testing::AnyReadings read(random, k % 2 == 0, k % 4 < 2);
     const auto step_of = [&](const auto& state) {
-      return cascade_step(loop, state, references, read.of(state.velocity.x));
+      return cascade_step(loop, state, references, read.of(state.velocity.x),
+                          read.gains(state.velocity.x));
     };
     testing::hold_steps<CascadeRows>(random, sizes, lift, step_of, look, held);
   }

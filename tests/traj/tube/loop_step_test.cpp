@@ -38,7 +38,7 @@ double disagreement(const FlightOptions& options, double yaw, double error, std:
           worst, flight.off(n, off, velocity, testing::vector(s.rates), testing::vector(s.spin)));
     }
     const Reference next = track.at(static_cast<double>(n + 4) * kStep, cursor);
-    s = loop_step(loop, s, {now, next}, flight.readings(n + before, 0)).state;
+    s = loop_step(loop, s, {now, next}, flight.readings(n + before, 0), flight.gains).state;
     s.gust = s.gust + flight.gust(n + before, 4);
     now = next;
   }
@@ -69,9 +69,10 @@ TEST(LoopStep, BoundsEveryStep) {
     const double t = random.uniform(0, 10);
     const LoopReferences references{track.at(t, cursor), track.at(t + 4 * kStep, cursor)};
     const Vec3 lift = references.now.acceleration + kGravity * Vec3::UnitZ();
-    const testing::AnyReadings read(random, k % 2 == 0);
+    const testing::AnyReadings read(random, k % 2 == 0, k % 4 < 2);
     const auto step_of = [&](const auto& state) {
-      return loop_step(loop, state, references, read.of(state.velocity.x));
+      return loop_step(loop, state, references, read.of(state.velocity.x),
+                       read.gains(state.velocity.x));
     };
     testing::hold_steps<GeometricRows>(
         random, sizes, lift, step_of, [](const auto&, const auto&, const auto&) {}, held);

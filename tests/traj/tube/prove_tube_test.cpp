@@ -123,6 +123,21 @@ TEST(ProveTube, HoldsFlightsWhosePositionLoopIsTheFaster) {
             1);
 }
 
+// Gains that are not what the profile says: the tube grows, and holds the flights.
+TEST(ProveTube, HoldsControllersWhoseGainsAreOff) {
+  const Trajectory line = testing::line({2, 1, 1}, 3);
+  for (const ControlLaw law : {ControlLaw::geometric, ControlLaw::cascade}) {
+    const FlightOptions options = flight_of("quad2kg", law);
+    const Disturbances d{.wind = {0.5, 0, 0}, .gust_most = 0.1};
+    Disturbances off = d;
+    off.gain_error = 0.01;
+    EXPECT_LE(worst_share(line, options, off), 1);
+    const ReferenceTrack track(line);
+    EXPECT_GT(prove_tube(track, options, off, {}).largest,
+              prove_tube(track, options, d, {}).largest * (1 + 1e-6));
+  }
+}
+
 // A start that is off counts where hardly any hovering comes before, and is forgotten after much.
 void expect_start(double off, ControlLaw law) {
   const Disturbances d{.gust_most = 0.2, .start_error = off, .start_speed = off};

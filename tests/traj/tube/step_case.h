@@ -7,6 +7,7 @@
 #include "traj/disturbed_flight.h"
 #include "traj/flight/vehicle_profile.h"
 #include "traj/flights.h"
+#include "tube/gain_errors.h"
 #include "tube/loop_state.h"
 #include "tube/readings.h"
 
@@ -50,11 +51,35 @@ typename Rows::template State<double> numbers(
   return out;
 }
 
+// Of both controllers.
+template <class S, class F>
+void for_each(GainErrors<S>& e, const F& f) {
+  for (Triple<S>* of : {&e.position, &e.velocity, &e.attitude, &e.rates, &e.velocity_i,
+                        &e.velocity_d, &e.rates_i, &e.rates_d}) {
+    f(of->x), f(of->y), f(of->z);
+  }
+}
+
 inline Vec3 vector(const Triple<double>& t) { return {t.x, t.y, t.z}; }
+
+inline Gains off_by(Gains k, const GainErrors<double>& e) {
+  const auto scale = [](Vec3& gain, const Triple<double>& share) {
+    gain = gain.cwiseProduct(Vec3::Ones() + vector(share));
+  };
+  scale(k.geometric.position, e.position), scale(k.position.p, e.position);
+  scale(k.geometric.velocity, e.velocity), scale(k.velocity.p, e.velocity);
+  scale(k.geometric.attitude, e.attitude), scale(k.attitude, e.attitude);
+  scale(k.geometric.rates, e.rates), scale(k.rates.p, e.rates);
+  scale(k.geometric.lead, e.rates_d), scale(k.rates.d, e.rates_d);
+  scale(k.velocity.i, e.velocity_i), scale(k.velocity.d, e.velocity_d);
+  scale(k.rates.i, e.rates_i);
+  return k;
+}
 
 // A flight in wind and gusts by a vehicle that is not as believed, and the state that knows it.
 struct OddFlight {
   Fate fate;
+  GainErrors<double> gains;
   double kept = 0;  // of a gust, a millisecond later
   DisturbedFlight flown;
 
@@ -76,6 +101,9 @@ struct OddFlight {
     fate.drag_error = 3 * error;
     fate.motor_lag_error = -error;
     fate.inertia_error = error * Vec3(1, -1, 2);
+    gains.none = error == 0;
+    for_each(gains, [&](double& share) { share = error * random.uniform(-1, 1); });
+    fate.gains = off_by(options.gains, gains);
     const double off = (options.law == ControlLaw::cascade ? 2 : 0.02) * error;
     fate.place = off * direction(random);
     fate.velocity = off * direction(random);
@@ -134,13 +162,16 @@ struct OddFlight {
   }
 };
 
-// Exact readings, or noise: bounds of it for models, and any that it allows for numbers.
+// Exact readings and gains, or not: bounds of them for models, and any that are allowed for
+// numbers.
 class AnyReadings {
  public:
-  AnyReadings(support::Random& random, bool exact) : random_(random) {
-    if (exact) return;
+  AnyReadings(support::Random& random, bool exact, bool exact_gains) : random_(random) {
     const double share = std::pow(10, random.uniform(-4, 0));
-    noise_ = {.place_noise = 0.03 * share,
+    if (!exact_gains) noise_.gain_error = 0.3 * share;
+    if (exact) return;
+    noise_ = {.gain_error = noise_.gain_error,
+              .place_noise = 0.03 * share,
               .velocity_noise = 0.1 * share,
               .attitude_noise = 0.05 * share,
               .rate_noise = 0.3 * share};
@@ -151,13 +182,7 @@ class AnyReadings {
     return readings_within<TaylorModelOf<N>>(noise_);
   }
   Readings<double> of(double) const {
-    const auto any = [&](double most) {
-      const auto one = [&] {
-        return most * (random_.uniform(0, 1) < 0.5 ? random_.uniform(-1, 1)
-                                                   : (random_.uniform(0, 1) < 0.5 ? -1 : 1));
-      };
-      return Triple<double>{one(), one(), one()};
-    };
+    const auto any = [&](double most) { return Triple<double>{one(most), one(most), one(most)}; };
     Readings<double> out{
         !noise_.has_noise(), any(noise_.place_noise), any(noise_.velocity_noise), {}, {}};
     for (Triple<double>& turn : out.turn) turn = any(noise_.attitude_noise);
@@ -165,7 +190,23 @@ class AnyReadings {
     return out;
   }
 
+  template <int N>
+  GainErrors<TaylorModelOf<N>> gains(const TaylorModelOf<N>&) const {
+    return gain_errors_within<TaylorModelOf<N>>(noise_);
+  }
+  GainErrors<double> gains(double) const {
+    GainErrors<double> out;
+    out.none = noise_.gain_error == 0;
+    for_each(out, [&](double& share) { share = one(noise_.gain_error); });
+    return out;
+  }
+
  private:
+  double one(double most) const {
+    return most * (random_.uniform(0, 1) < 0.5 ? random_.uniform(-1, 1)
+                                               : (random_.uniform(0, 1) < 0.5 ? -1 : 1));
+  }
+
   support::Random& random_;
   Disturbances noise_ = {};
 };

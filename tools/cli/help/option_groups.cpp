@@ -82,7 +82,7 @@ constexpr Group kGroups[] = {
      "--delay=SECONDS --hover-time=SECONDS --settle=SECONDS --loop-period=SECONDS "
      "--mass-error=SHARE --proved-tube --wind-spread=METRES/S --gust-most=METRES/S "
      "--gust-lag=SECONDS --start-error=METRES --start-speed=METRES/S --drag-error=SHARE "
-     "--motor-lag-error=SHARE --inertia-error=SHARE --noise-most "
+     "--motor-lag-error=SHARE --inertia-error=SHARE --gain-error=SHARE --noise-most "
      "--runs --tune --cost=WORDS"},
     {"Picture",
      "--view --camera --rate=HERTZ --at=SECONDS --image-size=WIDTHxHEIGHT --azimuth=DEGREES "

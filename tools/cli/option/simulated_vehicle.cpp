@@ -116,6 +116,10 @@ void SimulatedVehicleOptions::add_to(CLI::App& app) {
                  "with --proved-tube: the inertia about each axis is within this share of the "
                  "profile's (default: 0)")
       ->check(CLI::Range(0.0, 0.5));
+  app.add_option("--gain-error", gain_error,
+                 "with --proved-tube: each gain is within this share of what it should be "
+                 "(default: 0)")
+      ->check(CLI::Range(0.0, 0.5));
   app.add_option("--noise-most", noise_most,
                  "with --proved-tube: each reading of position, velocity, attitude and body rates "
                  "is off by at most this along each axis: metres, m/s, degrees, degrees/s")
@@ -124,18 +128,18 @@ void SimulatedVehicleOptions::add_to(CLI::App& app) {
 
 void SimulatedVehicleOptions::refuse_idle(const CLI::App& app, bool flies,
                                           std::string_view to_what) {
-  only_for(
-      app, flies,
-      {"--gains", "--feed-forward", "--controller", "--loop-period", "--wind", "--mass-error",
-       "--hover-time", "--settle", "--wind-spread", "--gust-most", "--gust-lag", "--start-error",
-       "--start-speed", "--drag-error", "--motor-lag-error", "--inertia-error", "--noise-most"},
-      to_what);
+  only_for(app, flies,
+           {"--gains", "--feed-forward", "--controller", "--loop-period", "--wind", "--mass-error",
+            "--hover-time", "--settle", "--wind-spread", "--gust-most", "--gust-lag",
+            "--start-error", "--start-speed", "--drag-error", "--motor-lag-error",
+            "--inertia-error", "--gain-error", "--noise-most"},
+           to_what);
 }
 
 void SimulatedVehicleOptions::refuse_idle_disturbances(const CLI::App& app, bool proves) {
   only_for(app, proves,
            {"--wind-spread", "--gust-most", "--gust-lag", "--start-error", "--start-speed",
-            "--drag-error", "--motor-lag-error", "--inertia-error", "--noise-most"},
+            "--drag-error", "--motor-lag-error", "--inertia-error", "--gain-error", "--noise-most"},
            "--proved-tube");
 }
 
@@ -208,6 +212,7 @@ traj::Disturbances SimulatedVehicleOptions::disturbances(const traj::FlightOptio
           .drag_error = drag_error,
           .motor_lag_error = motor_lag_error,
           .inertia_error = inertia_error,
+          .gain_error = gain_error,
           .place_noise = noise.position,
           .velocity_noise = noise.velocity,
           .attitude_noise = noise.attitude,

@@ -30,6 +30,7 @@ struct SimulatedVehicleOptions {
   double drag_error = 0;
   double motor_lag_error = 0;
   double inertia_error = 0;
+  double gain_error = 0;
   std::string noise_most;
 
   void add_to(CLI::App& app);

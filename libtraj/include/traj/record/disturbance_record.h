@@ -38,6 +38,7 @@ inline constexpr std::array kDisturbanceRanges{
     DisturbanceRange{"motor_lag_error", &Disturbances::motor_lag_error, 0, 0.5,
                      "a time constant of the motors"},
     DisturbanceRange{"inertia_error", &Disturbances::inertia_error, 0, 0.5, "inertia"},
+    DisturbanceRange{"gain_error", &Disturbances::gain_error, 0, 0.5, "gains"},
     DisturbanceRange{"place_noise", &Disturbances::place_noise, 0, 1e3},
     DisturbanceRange{"velocity_noise", &Disturbances::velocity_noise, 0, 1e3},
     DisturbanceRange{"attitude_noise", &Disturbances::attitude_noise, 0, 1},

@@ -38,6 +38,9 @@ struct Disturbances {
   double drag_error = 0;
   double motor_lag_error = 0;  // of the motors' time constant
   double inertia_error = 0;    // about each axis by itself
+  // Each gain of the controller (p, i and d of the cascade's loops) is within this share of what it
+  // should be, axis by axis, and constant. In [0, 0.5].
+  double gain_error = 0;
   // Each reading of the sensors is off by at most this along each axis, >= 0. The measured attitude
   // is the true one times a quaternion. Twice the vector part of that over its scalar part is
   // bounded.
