@@ -3,7 +3,7 @@
 #include <optional>
 #include <regex>
 
-#include "gdal_reference.h"
+#include "gdal_handles.h"
 #include "geom/gis/axis_order.h"
 #include "import/city_footprints.h"
 
@@ -50,16 +50,16 @@ NamedCrs named(const std::string& name, bool city_json) {
 
 // Whether the point (x to the east) lies where the system is meant for; nothing where that is not
 // said.
-std::optional<bool> in_area(const OGRSpatialReference& system, Vec2 p, const std::string& name) {
+std::optional<bool> in_area(const ReferenceHandle& system, Vec2 p, const std::string& name) {
   double west = 0;
   double south = 0;
   double east = 0;
   double north = 0;
-  if (!system.GetAreaOfUse(&west, &south, &east, &north, nullptr)) return std::nullopt;
-  const OGRSpatialReference geodetic = reference("EPSG:4326", name);
-  const Conversion to_degrees = conversion(system, geodetic);
+  if (!gdal().area_of_use(system.get(), &west, &south, &east, &north, nullptr)) return std::nullopt;
+  const ConversionHandle to_degrees = conversion(system, reference_named("EPSG:4326", name));
   if (!to_degrees) return std::nullopt;
-  if (!to_degrees->Transform(1, &p.x(), &p.y()) || !p.allFinite()) return false;
+  if (!gdal().transform(to_degrees.get(), 1, &p.x(), &p.y(), nullptr) || !p.allFinite())
+    return false;
   constexpr double kNear = 0.5;     // degrees
   const bool across = west > east;  // the date line
   const bool inside = across ? p.x() >= west - kNear || p.x() <= east + kNear
@@ -128,9 +128,9 @@ double outwardness(const CityModel& model) {
 
 // Whether to exchange x and y.
 bool north_comes_first(CityModel& model, const NamedCrs& crs, const std::string& name) {
-  const OGRSpatialReference system = reference(crs.horizontal, name);
-  const bool north_first =
-      crs.own_order && (system.EPSGTreatsAsLatLong() || system.EPSGTreatsAsNorthingEasting());
+  const ReferenceHandle system = reference_named(crs.horizontal, name);
+  const bool north_first = crs.own_order && (gdal().has_latitude_first(system.get()) ||
+                                             gdal().has_northing_first(system.get()));
   const Vec2 p = middle_of(model);
   const Vec2 q(p.y(), p.x());
   const auto as_named = in_area(system, north_first ? q : p, name);
@@ -164,8 +164,11 @@ void orient(CityModel& model, Axes axes, bool city_json, const std::string& name
 }
 
 void require_metres(const std::string& srs_name, const std::string& name) {
-  const OGRSpatialReference system = reference(named(srs_name, false).horizontal, name);
-  if (!system.IsGeographic() && std::abs(system.GetLinearUnits() - 1) < 1e-9) return;
+  const ReferenceHandle system = reference_named(named(srs_name, false).horizontal, name);
+  if (!gdal().is_geographic(system.get()) &&
+      std::abs(gdal().linear_unit(system.get(), nullptr) - 1) < 1e-9) {
+    return;
+  }
   throw InputError(name, {.expected = "coordinates in metres where shapes are placed by a matrix",
                           .found = "a coordinate reference system that counts otherwise",
                           .advice = "convert the file"});

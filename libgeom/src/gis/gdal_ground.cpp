@@ -2,7 +2,7 @@
 #include <limits>
 #include <memory>
 
-#include "gdal_reference.h"
+#include "gdal_handles.h"
 #include "geom/base/hashed_stream.h"
 #include "geom/gis/ground_of_map.h"
 #include "geom/map/geographic_frame.h"
@@ -26,10 +26,8 @@ class ToRaster {
                  .found = crs.empty() ? "a height model that does not" : "a map that does not"});
     }
     earth_ = std::make_unique<GeographicFrame>(*frame.origin);
-    const OGRSpatialReference from = reference("EPSG:4326", name);
-    const OGRSpatialReference to = reference(crs, name);
-    transformation_ = conversion(from, to);
-    if (!transformation_) {
+    to_raster_ = conversion(reference_named("EPSG:4326", name), reference_named(crs, name));
+    if (!to_raster_) {
       throw InputError(name, {.says = "PROJ cannot convert longitude and latitude to the "
                                       "coordinates of the height model"});
     }
@@ -37,7 +35,7 @@ class ToRaster {
 
   // NaN where PROJ cannot convert.
   std::vector<Vec2> operator()(std::vector<Vec2> points) const {
-    if (!transformation_) return points;
+    if (!to_raster_) return points;
     std::vector<double> x;
     std::vector<double> y;
     for (const Vec2& p : points) {
@@ -49,8 +47,8 @@ class ToRaster {
       y.push_back(latitude);
     }
     std::vector<int> done(points.size());
-    transformation_->Transform(static_cast<int>(points.size()), x.data(), y.data(), nullptr,
-                               nullptr, done.data());
+    gdal().transform_each(to_raster_.get(), static_cast<int>(points.size()), x.data(), y.data(),
+                          nullptr, done.data());
     for (std::size_t i = 0; i < points.size(); ++i) {
       points[i] = done[i] ? Vec2(x[i], y[i])
                           : Vec2::Constant(std::numeric_limits<double>::quiet_NaN()).eval();
@@ -61,7 +59,7 @@ class ToRaster {
  private:
   geom::Axes axes_;
   std::unique_ptr<GeographicFrame> earth_;
-  Conversion transformation_;
+  ConversionHandle to_raster_;
 };
 
 GroundGridSpec grid_of(const std::string& path, const BoxMapSpec& spec,

@@ -1,7 +1,10 @@
 #pragma once
 
-// GDAL's datasets and reference systems that are given back by themselves.
+// What GDAL gives out, given back by itself, and opened the same way everywhere (gdal_*.cpp only).
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -20,16 +23,78 @@ struct DestroyReference {
 };
 using ReferenceHandle = std::unique_ptr<void, DestroyReference>;
 
+// GDAL keeps a conversion that is given back, and gives it to the next caller. PROJ would search
+// for it again, which takes 10 ms.
+struct DestroyConversion {
+  void operator()(void* conversion) const { gdal().destroy_transformation(conversion); }
+};
+using ConversionHandle = std::unique_ptr<void, DestroyConversion>;
+
+struct DestroyFeature {
+  void operator()(void* feature) const { gdal().destroy_feature(feature); }
+};
+using FeatureHandle = std::unique_ptr<void, DestroyFeature>;
+
+struct DestroyGeometry {
+  void operator()(void* geometry) const { gdal().destroy_geometry(geometry); }
+};
+using GeometryHandle = std::unique_ptr<void, DestroyGeometry>;
+
+struct CloseFile {
+  void operator()(VSILFILE* file) const { gdal().close_file(file); }
+};
+using FileHandle = std::unique_ptr<VSILFILE, CloseFile>;
+
+struct DestroyList {
+  void operator()(char** list) const { gdal().destroy_list(list); }
+};
+using ListHandle = std::unique_ptr<char*, DestroyList>;  // of texts, up to a null pointer
+
+struct FreeBytes {
+  void operator()(void* bytes) const { gdal().free(bytes); }
+};
+template <class Byte>
+using BytesHandle = std::unique_ptr<Byte, FreeBytes>;
+
+// For reading; null where GDAL cannot.
+inline DatasetHandle opened(const std::string& path, unsigned kind) {
+  return DatasetHandle(
+      gdal().open(path.c_str(), kind | GDAL_OF_READONLY, nullptr, nullptr, nullptr));
+}
+
 // With x east and y north, or longitude before latitude. Throws InputError(name, …) for a text that
 // PROJ does not know.
 inline ReferenceHandle reference_named(const std::string& text, const std::string& name) {
   ReferenceHandle out(gdal().new_reference(nullptr));
   if (gdal().reference_from_text(out.get(), text.c_str()) != OGRERR_NONE) {
     throw InputError(name, {.expected = "a coordinate reference system that PROJ knows",
-                            .found = in_quotes(text)});
+                            .found = in_quotes(text.substr(0, 80))});
   }
   gdal().set_axis_mapping(out.get(), OAMS_TRADITIONAL_GIS_ORDER);
   return out;
+}
+
+// Null where PROJ knows none.
+inline ConversionHandle conversion(const ReferenceHandle& from, const ReferenceHandle& to) {
+  return ConversionHandle(gdal().new_transformation(from.get(), to.get()));
+}
+
+// Empty for none and for a local one, whose units must be metres.
+inline std::string text_of(OGRSpatialReferenceH reference, const std::string& name) {
+  if (!reference) return "";
+  if (gdal().is_local(reference)) {
+    const double unit = gdal().linear_unit(reference, nullptr);
+    if (std::abs(unit - 1) > 1e-9) {
+      throw InputError(name, {.expected = "local coordinates in metres",
+                              .found = fmt::format("units of {} m", unit),
+                              .advice = "convert them first"});
+    }
+    return "";
+  }
+  char* text = nullptr;
+  gdal().reference_to_text(reference, &text);
+  const BytesHandle<char> owner(text);
+  return text ? text : "";
 }
 
 }  // namespace geom::gis

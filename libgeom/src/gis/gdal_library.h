@@ -3,6 +3,8 @@
 // The functions of GDAL's C interface, which is loaded when it is first needed.
 
 #include <cpl_conv.h>
+#include <cpl_string.h>
+#include <cpl_vsi.h>
 #include <gdal.h>
 #include <ogr_api.h>
 #include <ogr_srs_api.h>
@@ -12,11 +14,30 @@ namespace geom::gis {
 struct GdalLibrary {
   decltype(&GDALAllRegister) all_register;
   decltype(&CPLGetLastErrorMsg) last_error;
-  decltype(&CPLPushErrorHandler) push_error_handler;
+  decltype(&CPLGetLastErrorType) last_error_type;
+  decltype(&CPLErrorReset) forget_errors;
+  decltype(&CPLSetErrorHandler) set_error_handler;
   decltype(&CPLQuietErrorHandler) quiet_error_handler;
   decltype(&CPLSetConfigOption) set_option;
+  decltype(&CPLGetExtension) extension_of;
+  decltype(&CPLResetExtension) with_extension;
+  decltype(&CPLGetBasename) stem_of;
+  decltype(&CPLGetFilename) name_of;
+  decltype(&CSLDestroy) destroy_list;
+  decltype(&VSIFOpenL) open_file;
+  decltype(&VSIFCloseL) close_file;
+  decltype(&VSIFReadL) read_file;
+  decltype(&VSIFSeekL) seek;
+  decltype(&VSIFTellL) tell;
+  decltype(&VSIStatL) stat;
+  decltype(&VSIIngestFile) read_whole;
+  decltype(&VSIFree) free;
+  decltype(&VSIReadDirRecursive) list_files;
   decltype(&GDALOpenEx) open;
   decltype(&GDALClose) close;
+  decltype(&GDALGetFileList) files_of;
+  decltype(&GDALGetDatasetDriver) driver_of;
+  decltype(&GDALGetDriverShortName) driver_name;
   decltype(&GDALGetDriverByName) driver_named;
   decltype(&GDALCreate) create;
   decltype(&GDALGetRasterXSize) raster_width;
@@ -29,6 +50,7 @@ struct GdalLibrary {
   decltype(&GDALGetRasterDataType) data_type;
   decltype(&GDALGetRasterScale) raster_scale;
   decltype(&GDALGetRasterOffset) raster_offset;
+  decltype(&GDALGetRasterUnitType) raster_unit;
   decltype(&GDALSetDescription) set_description;
   decltype(&GDALSetMetadataItem) set_metadata_item;
   decltype(&GDALGetGeoTransform) geo_transform;
@@ -41,13 +63,31 @@ struct GdalLibrary {
   decltype(&OSRClone) clone_reference;
   decltype(&OSRSetFromUserInput) reference_from_text;
   decltype(&OSRSetAxisMappingStrategy) set_axis_mapping;
+  decltype(&OSRExportToWkt) reference_to_text;
+  decltype(&OSRIsGeographic) is_geographic;
+  decltype(&OSRIsLocal) is_local;
+  decltype(&OSRIsVertical) is_vertical;
+  decltype(&OSRGetLinearUnits) linear_unit;
+  decltype(&OSRGetTargetLinearUnits) linear_unit_of;
+  decltype(&OSRGetAreaOfUse) area_of_use;
+  decltype(&OSREPSGTreatsAsLatLong) has_latitude_first;
+  decltype(&OSREPSGTreatsAsNorthingEasting) has_northing_first;
   decltype(&OCTNewCoordinateTransformation) new_transformation;
   decltype(&OCTDestroyCoordinateTransformation) destroy_transformation;
   decltype(&OCTTransform) transform;
+  decltype(&OCTTransformEx) transform_each;
   decltype(&GDALDatasetCreateLayer) create_layer;
   decltype(&GDALDatasetGetLayerByName) layer_named;
+  decltype(&GDALDatasetGetLayerCount) layer_count;
+  decltype(&GDALDatasetGetLayer) layer;
   decltype(&OGR_L_CreateField) create_field;
   decltype(&OGR_L_GetLayerDefn) layer_definition;
+  decltype(&OGR_L_GetName) layer_name;
+  decltype(&OGR_L_GetSpatialRef) layer_reference;
+  decltype(&OGR_L_GetFeatureCount) feature_count;
+  decltype(&OGR_L_SetAttributeFilter) set_filter;
+  decltype(&OGR_L_ResetReading) rewind;
+  decltype(&OGR_FD_GetFieldIndex) layer_field_index;
   decltype(&OGR_L_CreateFeature) create_feature;
   decltype(&OGR_L_GetNextFeature) next_feature;
   decltype(&OGR_L_StartTransaction) start_transaction;
@@ -58,14 +98,35 @@ struct GdalLibrary {
   decltype(&OGR_F_SetFieldDouble) set_number;
   decltype(&OGR_F_GetGeometryRef) geometry_of;
   decltype(&OGR_F_SetGeometryDirectly) set_geometry;
+  decltype(&OGR_F_GetFID) feature_id;
+  decltype(&OGR_F_GetFieldCount) field_count;
+  decltype(&OGR_F_GetFieldIndex) field_index;
+  decltype(&OGR_F_GetFieldDefnRef) field;
+  decltype(&OGR_F_IsFieldSetAndNotNull) is_field_set;
+  decltype(&OGR_F_GetFieldAsInteger) integer;
+  decltype(&OGR_F_GetFieldAsString) text;
   decltype(&OGR_Fld_Create) new_field;
   decltype(&OGR_Fld_Destroy) destroy_field;
+  decltype(&OGR_Fld_GetNameRef) field_name;
+  decltype(&OGR_Fld_GetSubType) field_subtype;
   decltype(&OGR_G_CreateGeometry) new_geometry;
+  decltype(&OGR_G_DestroyGeometry) destroy_geometry;
+  decltype(&OGR_G_GetGeometryType) geometry_type;
+  decltype(&OGR_GT_Flatten) flat_type;
+  decltype(&OGR_GT_IsSubClassOf) is_subclass;
+  decltype(&OGRGeometryTypeToName) type_name;
+  decltype(&OGR_G_IsEmpty) is_empty;
+  decltype(&OGR_G_Is3D) is_3d;
+  decltype(&OGR_G_GetEnvelope3D) envelope;
+  decltype(&OGR_G_GetLinearGeometry) without_arcs;
+  decltype(&OGR_G_ForceToMultiPolygon) force_to_polygons;
+  decltype(&OGR_G_GetGeometryCount) part_count;
   decltype(&OGR_G_AddPoint) add_point;
   decltype(&OGR_G_AddGeometryDirectly) add_geometry;
   decltype(&OGR_G_GetGeometryRef) part_of;
   decltype(&OGR_G_GetPointCount) point_count;
   decltype(&OGR_G_GetPoint) point;
+  decltype(&OGR_G_GetPoints) points;
 };
 
 // Loads it at the first call. Throws std::runtime_error where GDAL is not installed. GDAL says

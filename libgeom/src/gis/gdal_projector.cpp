@@ -5,13 +5,13 @@
 #include <cstdint>
 #include <limits>
 
-#include "gdal_reference.h"
+#include "gdal_handles.h"
 #include "geom/gis/footprint_source.h"
 
 namespace geom::gis {
 
 struct Projector::Transformation {
-  Conversion to_local;
+  ConversionHandle to_local;
 };
 
 namespace {
@@ -87,8 +87,8 @@ std::string plane_about(const Vec2& at) {
 // A tidy origin, a decimetre off.
 Vec2 tidy(const Vec2& p) { return (p * 1e6).array().round() / 1e6; }
 
-bool convert_one(OGRCoordinateTransformation& by, Vec2& p) {
-  return by.Transform(1, &p.x(), &p.y()) && p.allFinite();
+bool convert_one(const ConversionHandle& by, Vec2& p) {
+  return gdal().transform(by.get(), 1, &p.x(), &p.y(), nullptr) && p.allFinite();
 }
 
 // Points, each but once; neighbours in a grid share theirs.
@@ -135,11 +135,10 @@ Projector::Projector(Source& source, const std::string& name, const std::optiona
     if (origin) frame_.origin = GeodeticOrigin{origin->x(), origin->y(), 0};
     return;
   }
-  const OGRSpatialReference from = reference(source.crs, name);
-  const OGRSpatialReference geodetic = reference("EPSG:4326", name);
+  const ReferenceHandle from = reference_named(source.crs, name);
   Vec2 middle = 0.5 * (layout.low + layout.high);  // longitude, latitude once transformed
-  const Conversion back = conversion(from, geodetic);
-  if (!back || !convert_one(*back, middle) || std::abs(middle.y()) > 90) {
+  const ConversionHandle back = conversion(from, reference_named("EPSG:4326", name));
+  if (!back || !convert_one(back, middle) || std::abs(middle.y()) > 90) {
     throw InputError(
         name,
         {.says = fmt::format(
@@ -154,8 +153,7 @@ Projector::Projector(Source& source, const std::string& name, const std::optiona
     require_near(at, middle, name, source.warnings);
   }
   const std::string local = plane_about(at);
-  const OGRSpatialReference to = reference(local, name);
-  transformation_->to_local = conversion(from, to);
+  transformation_->to_local = conversion(from, reference_named(local, name));
   if (!transformation_->to_local) {
     throw InputError(name,
                      {.says = "PROJ cannot convert these coordinates to metres about the origin",
@@ -178,7 +176,8 @@ void Projector::convert(std::vector<Vec2>& points) const {
   }
   const auto count = static_cast<int>(x.size());
   std::vector<int> done(x.size());
-  transformation_->to_local->Transform(count, x.data(), y.data(), nullptr, done.data());
+  gdal().transform_each(transformation_->to_local.get(), count, x.data(), y.data(), nullptr,
+                        done.data());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::size_t k = distinct.which[i];
     const Vec2 local(x[k], y[k]);
@@ -196,14 +195,14 @@ CellLean lean_of(const CellGrid& grid, int width, int height, const std::string&
                  const std::string& name, const std::optional<Vec2>& origin) {
   constexpr CellLean kUnknown{std::numeric_limits<double>::infinity(),
                               std::numeric_limits<double>::infinity()};
-  Conversion to_local;
+  ConversionHandle to_local;
   if (!crs.empty()) {
-    const OGRSpatialReference from = reference(crs, name);
+    const ReferenceHandle from = reference_named(crs, name);
     Vec2 at = grid.corner(0.5 * width, 0.5 * height);
-    const Conversion back = conversion(from, reference("EPSG:4326", name));
-    if (!back || !convert_one(*back, at)) return kUnknown;
+    const ConversionHandle back = conversion(from, reference_named("EPSG:4326", name));
+    if (!back || !convert_one(back, at)) return kUnknown;
     at = origin ? Vec2(origin->y(), origin->x()) : tidy(at);
-    to_local = conversion(from, reference(plane_about(at), name));
+    to_local = conversion(from, reference_named(plane_about(at), name));
     if (!to_local) return kUnknown;
   }
   CellLean lean;
@@ -213,7 +212,7 @@ CellLean lean_of(const CellGrid& grid, int width, int height, const std::string&
     std::array<Vec2, 3> p{grid.corner(column, row), grid.corner(column + 1, row),
                           grid.corner(column, row + 1)};
     for (Vec2& each : p) {
-      if (to_local && !convert_one(*to_local, each)) return kUnknown;
+      if (to_local && !convert_one(to_local, each)) return kUnknown;
     }
     lean.column = std::max(lean.column, (p[1] - p[0]).cwiseAbs().minCoeff());
     lean.row = std::max(lean.row, (p[2] - p[0]).cwiseAbs().minCoeff());

@@ -4,7 +4,7 @@
 #include <map>
 #include <span>
 
-#include "gdal_reference.h"
+#include "gdal_handles.h"
 #include "gdal_whole.h"
 #include "geom/gis/footprint_source.h"
 #include "shape/row_merge.h"
@@ -18,8 +18,8 @@ constexpr double kMostTerrain = 2.5e8;  // cells, which are held in memory
 constexpr double kHighest = 1e4;        // metres
 
 struct Raster {
-  Dataset dataset;
-  GDALRasterBand* band = nullptr;
+  DatasetHandle dataset;
+  GDALRasterBandH band = nullptr;
   CellGrid grid;
   std::string crs;
   int width = 0;
@@ -30,14 +30,15 @@ struct Raster {
 
   // A row's heights in metres; NaN where there is no data.
   void read_row(int row, const std::string& name, double* out) const {
-    if (band->RasterIO(GF_Read, 0, row, width, 1, out, width, 1, GDT_Float64, 0, 0) != CE_None) {
+    if (gdal().raster_io(band, GF_Read, 0, row, width, 1, out, width, 1, GDT_Float64, 0, 0) !=
+        CE_None) {
       throw InputError(name, {.says = fmt::format("row {} of heights cannot be read (GDAL: {})",
-                                                  row, CPLGetLastErrorMsg()),
+                                                  row, gdal().last_error()),
                               .advice = "the file is damaged or cut, get it again"});
     }
     int has_nodata = 0;
-    double nodata = band->GetNoDataValue(&has_nodata);
-    if (band->GetRasterDataType() == GDT_Float32) nodata = static_cast<float>(nodata);
+    double nodata = gdal().no_data(band, &has_nodata);
+    if (gdal().data_type(band) == GDT_Float32) nodata = static_cast<float>(nodata);
     for (int i = 0; i < width; ++i) {
       const bool missing = (has_nodata && out[i] == nodata) || std::isnan(out[i]);
       out[i] = (out[i] * scale + offset) * metres;
@@ -77,9 +78,9 @@ double metres_per(const std::string& unit, const std::string& name) {
 }
 
 // What the band says; else as other heights of its CRS.
-double metres_per_unit(GDALRasterBand& band, const std::string& crs, const std::string& name,
+double metres_per_unit(GDALRasterBandH band, const std::string& crs, const std::string& name,
                        const ReadOptions& options) {
-  const std::string unit = band.GetUnitType();
+  const std::string unit = gdal().raster_unit(band);
   if (unit.empty()) {
     const auto metres = height_unit(crs, name, options);
     if (!metres) refuse_heights(name, crs);
@@ -97,34 +98,35 @@ double metres_per_unit(GDALRasterBand& band, const std::string& crs, const std::
 
 Raster open_raster(const std::string& path, const std::string& name, const ReadOptions& options) {
   Raster raster;
-  raster.dataset = open(path, GDAL_OF_RASTER);
-  if (!raster.dataset || raster.dataset->GetRasterCount() < 1) {
+  raster.dataset = opened(path, GDAL_OF_RASTER);
+  const GDALDatasetH dataset = raster.dataset.get();
+  if (!dataset || gdal().raster_count(dataset) < 1) {
     throw InputError(name, {.expected = "a raster of heights, as a GeoTIFF",
                             .found = "a file that GDAL cannot open as one"});
   }
-  if (raster.dataset->GetRasterCount() > 1) {
+  if (gdal().raster_count(dataset) > 1) {
     throw InputError(
         name, {.expected = "one band of heights",
-               .found = fmt::to_string(raster.dataset->GetRasterCount()),
+               .found = fmt::to_string(gdal().raster_count(dataset)),
                .advice = "choose one, for example with `gdal_translate -b 1 in.tif out.tif`"});
   }
-  raster.band = raster.dataset->GetRasterBand(1);
-  raster.width = raster.dataset->GetRasterXSize();
-  raster.height = raster.dataset->GetRasterYSize();
+  raster.band = gdal().raster_band(dataset, 1);
+  raster.width = gdal().raster_width(dataset);
+  raster.height = gdal().raster_height(dataset);
   if (static_cast<double>(raster.width) * raster.height > kMostCells) {
     throw InputError(name, {.expected = "at most 2e9 cells",
                             .found = fmt::format("{} x {}", raster.width, raster.height)});
   }
-  if (raster.dataset->GetGeoTransform(raster.grid.transform) != CE_None) {
+  if (gdal().geo_transform(dataset, raster.grid.transform) != CE_None) {
     throw InputError(name,
                      {.expected = "a raster that says where on Earth its cells are",
                       .found = "one that does not",
                       .advice = "give it a place, for example with `gdal_translate -a_ullr`"});
   }
-  raster.scale = raster.band->GetScale();
-  raster.offset = raster.band->GetOffset();
-  raster.crs = wkt_of(raster.dataset->GetSpatialRef(), name);
-  raster.metres = metres_per_unit(*raster.band, raster.crs, name, options);
+  raster.scale = gdal().raster_scale(raster.band, nullptr);
+  raster.offset = gdal().raster_offset(raster.band, nullptr);
+  raster.crs = text_of(gdal().spatial_reference(dataset), name);
+  raster.metres = metres_per_unit(raster.band, raster.crs, name, options);
   return raster;
 }
 
@@ -233,14 +235,14 @@ class SurfaceReader {
 }  // namespace
 
 bool is_raster(const std::string& path) {
-  const Dataset dataset = open(path, GDAL_OF_RASTER);
-  return dataset && dataset->GetRasterCount() > 0;
+  const DatasetHandle dataset = opened(path, GDAL_OF_RASTER);
+  return dataset && gdal().raster_count(dataset.get()) > 0;
 }
 
 Source read_raster(const std::string& path, const std::string& name, const ReadOptions& options) {
   const Raster raster = open_raster(path, name, options);
   Source source = SurfaceReader(raster, name, options).read();
-  source.beside = files_beside(*raster.dataset, path);
+  source.beside = files_beside(raster.dataset, path);
   return source;
 }
 
@@ -267,7 +269,7 @@ std::optional<Terrain::Range> Terrain::surface(std::span<const Vec2> around) con
   double inverse[6];
   double forward[6];
   std::copy(transform_, transform_ + 6, forward);
-  if (!GDALInvGeoTransform(forward, inverse)) return std::nullopt;
+  if (!gdal().invert_geo_transform(forward, inverse)) return std::nullopt;
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
   Vec2 high = -low;
   for (const Vec2& p : around) {
@@ -299,11 +301,9 @@ std::optional<Terrain::Range> Terrain::surface(std::span<const Vec2> around) con
 
 std::optional<Terrain::Range> Terrain::range(const Vec2& low, const Vec2& high,
                                              const std::string& crs) const {
-  Conversion to_raster;
+  ConversionHandle to_raster;
   if (!crs.empty() && !crs_.empty()) {
-    const OGRSpatialReference from = reference(crs, name_);
-    const OGRSpatialReference to = reference(crs_, name_);
-    to_raster = conversion(from, to);
+    to_raster = conversion(reference_named(crs, name_), reference_named(crs_, name_));
     if (!to_raster)
       throw InputError(
           name_,
@@ -313,7 +313,7 @@ std::optional<Terrain::Range> Terrain::range(const Vec2& low, const Vec2& high,
   double inverse[6];
   double forward[6];
   std::copy(transform_, transform_ + 6, forward);
-  if (!GDALInvGeoTransform(forward, inverse)) {
+  if (!gdal().invert_geo_transform(forward, inverse)) {
     throw InputError(name_,
                      {.expected = "cells with an area", .found = "a geotransform that has none"});
   }
@@ -322,7 +322,8 @@ std::optional<Terrain::Range> Terrain::range(const Vec2& low, const Vec2& high,
   double r0 = c0;
   double r1 = -c0;
   for (Vec2 p : {low, high, Vec2(low.x(), high.y()), Vec2(high.x(), low.y())}) {
-    if (to_raster && !to_raster->Transform(1, &p.x(), &p.y())) return std::nullopt;
+    if (to_raster && !gdal().transform(to_raster.get(), 1, &p.x(), &p.y(), nullptr))
+      return std::nullopt;
     const double column = inverse[0] + p.x() * inverse[1] + p.y() * inverse[2];
     const double row = inverse[3] + p.x() * inverse[4] + p.y() * inverse[5];
     c0 = std::min(c0, column);

@@ -19,17 +19,17 @@ constexpr std::size_t kHeader = 100;  // bytes of .shp and .shx (ESRI Shapefile,
 class PartFile {
  public:
   PartFile(std::string path, const std::string& name) : path_(std::move(path)), name_(name) {
-    file_.reset(VSIFOpenL(path_.c_str(), "rb"));
+    file_.reset(gdal().open_file(path_.c_str(), "rb"));
     if (!file_) refuse("a readable copy", "one that cannot be opened");
-    VSIFSeekL(file_.get(), 0, SEEK_END);
-    size_ = VSIFTellL(file_.get());
+    gdal().seek(file_.get(), 0, SEEK_END);
+    size_ = gdal().tell(file_.get());
   }
 
   std::uint64_t size() const { return size_; }
 
   void read(std::uint64_t at, unsigned char* out, std::size_t size) const {
-    const bool there = at + size <= size_ && VSIFSeekL(file_.get(), at, SEEK_SET) == 0 &&
-                       VSIFReadL(out, 1, size, file_.get()) == size;
+    const bool there = at + size <= size_ && gdal().seek(file_.get(), at, SEEK_SET) == 0 &&
+                       gdal().read_file(out, 1, size, file_.get()) == size;
     if (!there) refuse(fmt::format("at least {} bytes", at + size), fmt::format("{}", size_));
   }
 
@@ -48,19 +48,15 @@ class PartFile {
   [[noreturn]] void refuse(const std::string& expected, const std::string& found) const {
     throw InputError(name_,
                      {.says = "the files of this shapefile do not belong together",
-                      .expected = fmt::format("{} of {}", expected, CPLGetFilename(path_.c_str())),
+                      .expected = fmt::format("{} of {}", expected, gdal().name_of(path_.c_str())),
                       .found = found,
                       .advice = "get all of them again, or write it anew where it is whole"});
   }
 
  private:
-  struct Closer {
-    void operator()(VSILFILE* file) const { VSIFCloseL(file); }
-  };
-
   std::string path_;
   const std::string& name_;
-  std::unique_ptr<VSILFILE, Closer> file_;
+  FileHandle file_;
   std::uint64_t size_ = 0;
 };
 
@@ -123,7 +119,7 @@ void require_rows(const PartFile& table, std::uint64_t shapes, const std::string
 }
 
 std::string lower_extension(const std::string& path) {
-  std::string end = CPLGetExtension(path.c_str());
+  std::string end = gdal().extension_of(path.c_str());
   std::transform(end.begin(), end.end(), end.begin(),
                  [](unsigned char c) { return std::tolower(c); });
   return end;
@@ -131,10 +127,10 @@ std::string lower_extension(const std::string& path) {
 
 }  // namespace
 
-void require_whole_shapefile(GDALDataset& dataset, const std::string& name) {
-  char** const files = dataset.GetFileList();
+void require_whole_shapefile(const DatasetHandle& dataset, const std::string& name) {
+  const ListHandle files(gdal().files_of(dataset.get()));
   const auto path_of = [&](const char* end) -> std::optional<std::string> {
-    for (char** file = files; file && *file; ++file) {
+    for (char** file = files.get(); file && *file; ++file) {
       if (lower_extension(*file) == end) return *file;
     }
     return std::nullopt;
@@ -142,7 +138,6 @@ void require_whole_shapefile(GDALDataset& dataset, const std::string& name) {
   const auto shp = path_of("shp");
   const auto shx = path_of("shx");
   const auto dbf = path_of("dbf");
-  CSLDestroy(files);
   if (!shp || !shx || !dbf) {
     throw InputError(name, {.says = fmt::format(
                                 "a shapefile is three files of one name, and the .{} is not there",
@@ -157,10 +152,10 @@ void require_whole_shapefile(GDALDataset& dataset, const std::string& name) {
 
 Fault unopened(const std::string& path) {
   if (lower_extension(path) == "shp") {
-    const std::string shx = CPLGetBasename(path.c_str()) + std::string(".shx");
+    const std::string shx = gdal().stem_of(path.c_str()) + std::string(".shx");
     VSIStatBufL about;
     const auto beside = [&](const char* end) {
-      return VSIStatL(CPLResetExtension(path.c_str(), end), &about) == 0;
+      return gdal().stat(gdal().with_extension(path.c_str(), end), &about) == 0;
     };
     if (!beside("shx") && !beside("SHX")) {
       return {
@@ -168,7 +163,7 @@ Fault unopened(const std::string& path) {
                               shx),
           .advice = fmt::format("copy all its files into one folder, or make the index anew with "
                                 "`ogrinfo --config SHAPE_RESTORE_SHX YES {}`",
-                                CPLGetFilename(path.c_str()))};
+                                gdal().name_of(path.c_str()))};
     }
   }
   return {.expected =

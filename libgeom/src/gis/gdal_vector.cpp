@@ -1,11 +1,9 @@
-#include <ogrsf_frmts.h>
-
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <sstream>
 
-#include "gdal_reference.h"
+#include "gdal_handles.h"
 #include "gdal_whole.h"
 #include "geom/gis/footprint_source.h"
 #include "geom/text/counted.h"
@@ -22,14 +20,15 @@ class VectorReader {
   VectorReader(const std::string& name, const ReadOptions& options)
       : name_(name), options_(options) {}
 
-  Source read(GDALDataset& dataset, const std::string& path) {
+  Source read(const DatasetHandle& dataset, const std::string& path) {
     const std::size_t least = require_whole(dataset, path, name_);
-    for (int i = 0; i < dataset.GetLayerCount(); ++i) {
-      OGRLayer& layer = *dataset.GetLayer(i);
-      const std::string crs = wkt_of(layer.GetSpatialRef(), name_);
+    for (int i = 0; i < gdal().layer_count(dataset.get()); ++i) {
+      const OGRLayerH layer = gdal().layer(dataset.get(), i);
+      const std::string crs = text_of(gdal().layer_reference(layer), name_);
       if (i > 0 && crs != out_.crs) {
-        throw InputError(name_, {.expected = "one coordinate reference system in all layers",
-                                 .found = fmt::format("another in layer \"{}\"", layer.GetName())});
+        throw InputError(
+            name_, {.expected = "one coordinate reference system in all layers",
+                    .found = fmt::format("another in layer \"{}\"", gdal().layer_name(layer))});
       }
       out_.crs = crs;
       unit_ = height_unit(crs, name_, options_);
@@ -45,63 +44,64 @@ class VectorReader {
   }
 
  private:
-  void read_layer(OGRLayer& layer) {
-    CPLErrorReset();
-    layer_ = layer.GetName();
-    out_.has_height_attribute |=
-        layer.GetLayerDefn()->GetFieldIndex(options_.height.attribute.c_str()) >= 0;
+  void read_layer(OGRLayerH layer) {
+    gdal().forget_errors();
+    layer_ = gdal().layer_name(layer);
+    out_.has_height_attribute |= gdal().layer_field_index(gdal().layer_definition(layer),
+                                                          options_.height.attribute.c_str()) >= 0;
     if (!options_.where.empty() &&
-        layer.SetAttributeFilter(options_.where.c_str()) != OGRERR_NONE) {
+        gdal().set_filter(layer, options_.where.c_str()) != OGRERR_NONE) {
       throw InputError(
-          name_,
-          {.item = "--where",
-           .expected = fmt::format("a condition on attributes of layer \"{}\"", layer.GetName()),
-           .found = fmt::format("\"{}\" (GDAL: {})", options_.where, CPLGetLastErrorMsg())});
+          name_, {.item = "--where",
+                  .expected = fmt::format("a condition on attributes of layer \"{}\"",
+                                          gdal().layer_name(layer)),
+                  .found = fmt::format("\"{}\" (GDAL: {})", options_.where, gdal().last_error())});
     }
-    layer.ResetReading();
-    while (const OGRFeatureUniquePtr feature{layer.GetNextFeature()}) {
+    gdal().rewind(layer);
+    while (const FeatureHandle feature{gdal().next_feature(layer)}) {
       ++features_;
-      read_feature(*feature);
+      read_feature(feature.get());
     }
-    if (CPLGetLastErrorType() == CE_Failure) {
+    if (gdal().last_error_type() == CE_Failure) {
       throw InputError(name_,
                        {.says = fmt::format("layer \"{}\" cannot be read to its end (GDAL: {})",
-                                            layer.GetName(), CPLGetLastErrorMsg()),
+                                            gdal().layer_name(layer), gdal().last_error()),
                         .advice = "the file is damaged or cut, get it again"});
     }
   }
 
-  void read_feature(OGRFeature& feature) {
-    const OGRGeometry* geometry = feature.GetGeometryRef();
-    which_ = fmt::format("feature {} of layer {}", feature.GetFID(), layer_);
-    if (!geometry || geometry->IsEmpty()) {
+  void read_feature(OGRFeatureH feature) {
+    const OGRGeometryH geometry = gdal().geometry_of(feature);
+    const GIntBig id = gdal().feature_id(feature);
+    which_ = fmt::format("feature {} of layer {}", id, layer_);
+    if (!geometry || gdal().is_empty(geometry)) {
       out_.skipped.add("feature without geometry", which_);
       return;
     }
     const auto tag = [&](const char* key) -> std::string {
-      const int field = feature.GetFieldIndex(key);
-      if (field < 0 || !feature.IsFieldSetAndNotNull(field)) return "";
-      if (feature.GetFieldDefnRef(field)->GetSubType() == OFSTBoolean) {
-        return feature.GetFieldAsInteger(field) ? "true" : "false";  // no length of 1
+      const int field = gdal().field_index(feature, key);
+      if (field < 0 || !gdal().is_field_set(feature, field)) return "";
+      if (gdal().field_subtype(gdal().field(feature, field)) == OFSTBoolean) {
+        return gdal().integer(feature, field) ? "true" : "false";  // no length of 1
       }
-      return feature.GetFieldAsString(field);
+      return gdal().text(feature, field);
     };
     const std::size_t before = out_.footprints.size();
     BuildingHeight height;
-    if (holds_surfaces(*geometry)) {
+    if (holds_surfaces(geometry)) {
       HeightOptions options = options_.height;
       options.unit = unit_.value_or(1);
       height = building_height(tag, options);
       if (height.bare && !unit_) refuse_heights(name_, out_.crs);
     }
-    add_polygons(*geometry, static_cast<std::uint64_t>(feature.GetFID()), height);
+    add_polygons(geometry, static_cast<std::uint64_t>(id), height);
     raise(before, height);
     if (out_.footprints.size() > before) count(feature, height);
     solid_ = false;
   }
 
   // Where the height of a feature came from that became footprints.
-  void count(const OGRFeature& feature, const BuildingHeight& height) {
+  void count(OGRFeatureH feature, const BuildingHeight& height) {
     if (solid_ && height.from == HeightFrom::nothing) {
       ++out_.counts["heights_from_corners"];
       if (height.unread) out_.skipped.add("height that is not understood", which_);
@@ -109,38 +109,43 @@ class VectorReader {
     }
     count_height(height, which_, out_);
     if (height.from != HeightFrom::nothing) return;
-    for (int i = 0; i < feature.GetFieldCount(); ++i) {
-      if (!feature.IsFieldSetAndNotNull(i)) continue;
-      note_attribute(feature.GetFieldDefnRef(i)->GetNameRef(), feature.GetFieldAsString(i), out_);
+    for (int i = 0; i < gdal().field_count(feature); ++i) {
+      if (!gdal().is_field_set(feature, i)) continue;
+      note_attribute(gdal().field_name(gdal().field(feature, i)), gdal().text(feature, i), out_);
     }
   }
 
-  static bool holds_surfaces(const OGRGeometry& geometry) {
-    const auto kind = wkbFlatten(geometry.getGeometryType());
-    return OGR_GT_IsSubClassOf(kind, wkbSurface) || OGR_GT_IsSubClassOf(kind, wkbMultiSurface) ||
+  static OGRwkbGeometryType kind_of(OGRGeometryH geometry) {
+    return gdal().flat_type(gdal().geometry_type(geometry));
+  }
+
+  static bool holds_surfaces(OGRGeometryH geometry) {
+    const OGRwkbGeometryType kind = kind_of(geometry);
+    return gdal().is_subclass(kind, wkbSurface) || gdal().is_subclass(kind, wkbMultiSurface) ||
            kind == wkbGeometryCollection;
   }
 
   // Every part of a geometry becomes footprints or is named as skipped.
-  void add_polygons(const OGRGeometry& geometry, std::uint64_t id, const BuildingHeight& height) {
-    if (wkbFlatten(geometry.getGeometryType()) == wkbGeometryCollection) {
-      for (const OGRGeometry* part : *geometry.toGeometryCollection()) {
-        add_polygons(*part, id, height);
+  void add_polygons(OGRGeometryH geometry, std::uint64_t id, const BuildingHeight& height) {
+    const OGRwkbGeometryType kind = kind_of(geometry);
+    if (kind == wkbGeometryCollection) {
+      for (int i = 0; i < gdal().part_count(geometry); ++i) {
+        add_polygons(gdal().part_of(geometry, i), id, height);
       }
       return;
     }
-    const auto kind = wkbFlatten(geometry.getGeometryType());
     solid_ |= kind == wkbPolyhedralSurface || kind == wkbTIN;
-    const std::unique_ptr<OGRGeometry> polygons(
+    const GeometryHandle polygons(
         holds_surfaces(geometry)
-            ? OGRGeometryFactory::forceToMultiPolygon(geometry.getLinearGeometry(kDegreesOfArc))
+            ? gdal().force_to_polygons(gdal().without_arcs(geometry, kDegreesOfArc, nullptr))
             : nullptr);
-    if (!polygons || wkbFlatten(polygons->getGeometryType()) != wkbMultiPolygon) {
-      out_.skipped.add(OGRGeometryTypeToName(wkbFlatten(geometry.getGeometryType())), which_);
+    if (!polygons || kind_of(polygons.get()) != wkbMultiPolygon) {
+      out_.skipped.add(gdal().type_name(kind), which_);
       return;
     }
-    for (const OGRPolygon* polygon : *polygons->toMultiPolygon()) {
-      if (polygon->IsEmpty()) {
+    for (int i = 0; i < gdal().part_count(polygons.get()); ++i) {
+      const OGRGeometryH polygon = gdal().part_of(polygons.get(), i);
+      if (gdal().is_empty(polygon)) {
         out_.skipped.add("polygon without corners", which_);
         continue;
       }
@@ -148,11 +153,11 @@ class VectorReader {
       f.id = id;
       f.bottom = height.bottom;
       f.top = height.top;
-      for (const OGRLinearRing* ring : *polygon) {
-        (ring == polygon->getExteriorRing() ? f.polygon.outer : f.polygon.holes.emplace_back()) =
-            points_of(*ring, f.id);
+      for (int k = 0; k < gdal().part_count(polygon); ++k) {
+        (k == 0 ? f.polygon.outer : f.polygon.holes.emplace_back()) =
+            points_of(gdal().part_of(polygon, k), f.id);
       }
-      levels_.push_back(levels_of(*polygon));
+      levels_.push_back(levels_of(polygon));
       solid_ |= levels_.back().low < levels_.back().high && stands_upright(f.polygon.outer);
       out_.footprints.push_back(std::move(f));
     }
@@ -163,10 +168,10 @@ class VectorReader {
     double low = 0;
     double high = 0;
   };
-  Levels levels_of(const OGRPolygon& polygon) const {
+  Levels levels_of(OGRGeometryH polygon) const {
     OGREnvelope3D reach;
-    polygon.getEnvelope(&reach);
-    if (!polygon.Is3D() || (reach.MinZ == 0 && reach.MaxZ == 0)) return {};
+    gdal().envelope(polygon, &reach);
+    if (!gdal().is_3d(polygon) || (reach.MinZ == 0 && reach.MaxZ == 0)) return {};
     if (!unit_) refuse_heights(name_, out_.crs);
     const Levels levels{reach.MinZ * *unit_, reach.MaxZ * *unit_};
     if (!(std::abs(levels.low) <= 1e4 && std::abs(levels.high) <= 1e4)) {
@@ -214,14 +219,15 @@ class VectorReader {
     levels_.clear();
   }
 
-  std::vector<Vec2> points_of(const OGRLinearRing& ring, std::uint64_t id) const {
-    std::vector<Vec2> points;
-    for (int i = 0; i < ring.getNumPoints(); ++i) {
-      points.push_back({ring.getX(i), ring.getY(i)});
-      if (!points.back().allFinite()) {
-        throw InputError(name_, {.item = fmt::format("feature {}", id),
-                                 .says = fmt::format("point {} is not finite", i)});
-      }
+  std::vector<Vec2> points_of(OGRGeometryH ring, std::uint64_t id) const {
+    std::vector<Vec2> points(static_cast<std::size_t>(gdal().point_count(ring)));
+    if (points.empty()) return points;
+    constexpr int kStride = sizeof(Vec2);
+    gdal().points(ring, &points[0].x(), kStride, &points[0].y(), kStride, nullptr, 0);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (points[i].allFinite()) continue;
+      throw InputError(name_, {.item = fmt::format("feature {}", id),
+                               .says = fmt::format("point {} is not finite", i)});
     }
     return points;
   }
@@ -244,25 +250,22 @@ std::string unpacked(const std::string& path) {
   if (std::string_view(magic, 2) != "\x1f\x8b") return "";
   GByte* bytes = nullptr;
   vsi_l_offset size = 0;
-  std::string out;
-  if (VSIIngestFile(nullptr, ("/vsigzip/" + path).c_str(), &bytes, &size, -1)) {
-    out.assign(reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(size));
-  }
-  VSIFree(bytes);
-  return out;
+  if (!gdal().read_whole(nullptr, ("/vsigzip/" + path).c_str(), &bytes, &size, -1)) return "";
+  const BytesHandle<GByte> owner(bytes);
+  return {reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(size)};
 }
 
 }  // namespace
 
 Source read_vector(const std::string& path, const std::string& name, const ReadOptions& options) {
   require_plain_vector(path, name);
-  const Dataset dataset = open(path, GDAL_OF_VECTOR);
+  const DatasetHandle dataset = opened(path, GDAL_OF_VECTOR);
   if (!dataset) {
     throw InputError(name, unopened(path));
   }
-  Source source = VectorReader(name, options).read(*dataset, path);
-  source.beside = files_beside(*dataset, path);
-  if (dataset->GetDriver() && EQUAL(dataset->GetDriver()->GetDescription(), "GML")) {
+  Source source = VectorReader(name, options).read(dataset, path);
+  source.beside = files_beside(dataset, path);
+  if (std::string_view(gdal().driver_name(gdal().driver_of(dataset.get()))) == "GML") {
     std::istringstream packed(unpacked(path));
     std::ifstream plain(path, std::ios::binary);
     const bool is_packed = packed.peek() != std::istringstream::traits_type::eof();
@@ -275,14 +278,19 @@ std::optional<double> height_unit(const std::string& crs, const std::string& nam
                                   const ReadOptions& options) {
   if (options.height_unit) return options.height_unit;
   if (crs.empty()) return 1;
-  const OGRSpatialReference system = reference(crs, name);
-  if (system.IsVertical()) return system.GetTargetLinearUnits("VERT_CS");
-  if (system.IsGeographic() || std::abs(system.GetLinearUnits() - 1) < 1e-9) return 1;
+  const ReferenceHandle system = reference_named(crs, name);
+  if (gdal().is_vertical(system.get())) {
+    return gdal().linear_unit_of(system.get(), "VERT_CS", nullptr);
+  }
+  if (gdal().is_geographic(system.get()) ||
+      std::abs(gdal().linear_unit(system.get(), nullptr) - 1) < 1e-9) {
+    return 1;
+  }
   return std::nullopt;
 }
 
 void refuse_heights(const std::string& name, const std::string& crs) {
-  const double unit = reference(crs, name).GetLinearUnits();
+  const double unit = gdal().linear_unit(reference_named(crs, name).get(), nullptr);
   throw InputError(
       name,
       {.says = fmt::format(

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <ogrsf_frmts.h>
 
 #include <algorithm>
 #include <initializer_list>
@@ -22,14 +21,14 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::string text_of(const std::string& path, const std::string& name) {
+std::string content_of(const std::string& path, const std::string& name) {
   GByte* bytes = nullptr;
   vsi_l_offset size = 0;
-  if (!VSIIngestFile(nullptr, path.c_str(), &bytes, &size, -1)) {
+  if (!gdal().read_whole(nullptr, path.c_str(), &bytes, &size, -1)) {
     throw InputError(name,
                      {.expected = "a file that can be read whole", .found = "one that cannot"});
   }
-  const std::unique_ptr<GByte, decltype(&VSIFree)> owner(bytes, VSIFree);
+  const BytesHandle<GByte> owner(bytes);
   return {reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(size)};
 }
 
@@ -93,7 +92,7 @@ void require_type(const Json& value, std::initializer_list<const char*> types,
 // The root with its own members and those of its features; a count of the features.
 std::size_t require_json(const std::string& path, const std::string& name, bool esri) {
   constexpr std::size_t kDepth = 3;
-  const std::string text = text_of(path, name);
+  const std::string text = content_of(path, name);
   const Json root = json_outline(without_mark(text), name, kDepth);
   if (!esri) {
     require_type(root,
@@ -113,7 +112,7 @@ std::size_t require_json(const std::string& path, const std::string& name, bool 
 
 // A feature a line, or one behind each record separator.
 std::size_t require_json_sequence(const std::string& path, const std::string& name) {
-  const std::string text = text_of(path, name);
+  const std::string text = content_of(path, name);
   const char between = text.find('\x1e') != text.npos ? '\x1e' : '\n';
   std::size_t features = 0;
   std::size_t line = 0;
@@ -155,7 +154,7 @@ class KmlHandler : public XmlHandler {
 };
 
 std::size_t require_kml_text(const std::string& path, const std::string& name) {
-  std::istringstream in(text_of(path, name));
+  std::istringstream in(content_of(path, name));
   KmlHandler handler(name);
   read_xml(in, name, handler);
   return handler.placemarks;
@@ -163,13 +162,12 @@ std::size_t require_kml_text(const std::string& path, const std::string& name) {
 
 // Of a KMZ all KML files in it: GDAL reads one.
 std::size_t require_kml(const std::string& path, const std::string& name) {
-  if (!EQUAL(CPLGetExtension(path.c_str()), "kmz")) return require_kml_text(path, name);
+  if (!EQUAL(gdal().extension_of(path.c_str()), "kmz")) return require_kml_text(path, name);
   std::size_t placemarks = 0;
   const std::string archive = "/vsizip/" + path;
-  const std::unique_ptr<char*, decltype(&CSLDestroy)> files(VSIReadDirRecursive(archive.c_str()),
-                                                            CSLDestroy);
+  const ListHandle files(gdal().list_files(archive.c_str()));
   for (char** file = files.get(); file && *file; ++file) {
-    if (!EQUAL(CPLGetExtension(*file), "kml")) continue;
+    if (!EQUAL(gdal().extension_of(*file), "kml")) continue;
     placemarks += require_kml_text(fmt::format("{}/{}", archive, *file), name);
   }
   return placemarks;
@@ -177,8 +175,8 @@ std::size_t require_kml(const std::string& path, const std::string& name) {
 
 }  // namespace
 
-std::vector<std::string> files_beside(GDALDataset& dataset, const std::string& path) {
-  const std::unique_ptr<char*, decltype(&CSLDestroy)> files(dataset.GetFileList(), CSLDestroy);
+std::vector<std::string> files_beside(const DatasetHandle& dataset, const std::string& path) {
+  const ListHandle files(gdal().files_of(dataset.get()));
   std::vector<std::string> out;
   for (char** file = files.get(); file && *file; ++file) {
     if (path != *file && !STARTS_WITH(*file, "/vsi")) out.emplace_back(*file);
@@ -186,8 +184,9 @@ std::vector<std::string> files_beside(GDALDataset& dataset, const std::string& p
   return out;
 }
 
-std::size_t require_whole(GDALDataset& dataset, const std::string& path, const std::string& name) {
-  const std::string_view driver = GDALGetDriverShortName(dataset.GetDriver());
+std::size_t require_whole(const DatasetHandle& dataset, const std::string& path,
+                          const std::string& name) {
+  const std::string_view driver = gdal().driver_name(gdal().driver_of(dataset.get()));
   if (driver == "OSM") {
     throw InputError(name, {.says = "this is OpenStreetMap data, of which GDAL leaves out heights",
                             .advice = "read it with --format osm"});
@@ -198,7 +197,8 @@ std::size_t require_whole(GDALDataset& dataset, const std::string& path, const s
   if (driver == "KML" || driver == "LIBKML") return require_kml(path, name);
   if (driver == "ESRI Shapefile") require_whole_shapefile(dataset, name);
   if (driver == "FlatGeobuf") {
-    const GIntBig stated = dataset.GetLayerCount() > 0 ? dataset.GetLayer(0)->GetFeatureCount() : 0;
+    const OGRLayerH layer = gdal().layer(dataset.get(), 0);
+    const GIntBig stated = layer ? gdal().feature_count(layer, TRUE) : 0;
     return stated > 0 ? static_cast<std::size_t>(stated) : 0;
   }
   return 0;

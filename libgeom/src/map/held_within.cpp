@@ -1,6 +1,7 @@
 #include "held_within.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "box_runs.h"
 
@@ -94,10 +95,12 @@ void HeldWithin::cut_rows(const Aabb& reach) {
   rows_.push_back(reach.max.y());
 }
 
-// Whether the polygon holds the middle of a place in the row that none of the boxes in it covers.
-bool HeldWithin::has_gap(const Polygon& polygon, const Row& row) const {
+// Whether the polygon holds the middle of a place in the row that none of the boxes in it covers,
+// and that reaches into `freed`.
+bool HeldWithin::has_gap(const Polygon& polygon, const Row& row, const Stretch& freed) const {
   const auto is_gap = [&](double from, double to) {
-    return from < to && contains(polygon, {0.5 * (from + to), row.y});
+    return from < to && from < freed.to && to > freed.from &&
+           contains(polygon, {0.5 * (from + to), row.y});
   };
   double reached = row.x0;
   for (const InPlan& box : in_row_) {
@@ -109,7 +112,8 @@ bool HeldWithin::has_gap(const Polygon& polygon, const Row& row) const {
 
 // Whether the polygon, whose edges lie within the boxes, holds a place that none of them does. The
 // boxes' sides cut the rectangle around it into rows. No edge enters what no box covers between two
-// boxes of a row, so that lies inside the polygon as a whole or outside as a whole.
+// boxes of a row, so that lies inside the polygon as a whole or outside as a whole, with what of
+// the row above lies over it. So a row is looked at where boxes of the row below end.
 bool HeldWithin::leaves_gap(const Polygon& polygon, const Aabb& reach) {
   if (near_.size() > kMostGapBoxes) return true;  // not worth looking: it gets boxes of its own
   coming_.clear();
@@ -122,11 +126,17 @@ bool HeldWithin::leaves_gap(const Polygon& polygon, const Aabb& reach) {
   in_row_.clear();
   auto next = coming_.begin();
   double first_end = reach.max.y();  // no box of the row ends before it
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Stretch freed{-kInfinity, kInfinity};  // in x
   for (std::size_t j = 0; j + 1 < rows_.size(); ++j) {
     const double y = rows_[j];
     if (y == rows_[j + 1]) continue;
     if (first_end <= y) {
-      std::erase_if(in_row_, [&](const InPlan& box) { return box.y1 <= y; });
+      std::erase_if(in_row_, [&](const InPlan& box) {
+        if (box.y1 > y) return false;
+        freed = {std::min(freed.from, box.x0), std::max(freed.to, box.x1)};
+        return true;
+      });
       first_end = reach.max.y();
       for (const InPlan& box : in_row_) first_end = std::min(first_end, box.y1);
     }
@@ -137,7 +147,10 @@ bool HeldWithin::leaves_gap(const Polygon& polygon, const Aabb& reach) {
                      *next);
       first_end = std::min(first_end, next->y1);
     }
-    if (has_gap(polygon, {0.5 * (y + rows_[j + 1]), reach.min.x(), reach.max.x()})) return true;
+    if (freed.from > freed.to) continue;
+    const Row row{0.5 * (y + rows_[j + 1]), reach.min.x(), reach.max.x()};
+    if (has_gap(polygon, row, freed)) return true;
+    freed = {kInfinity, -kInfinity};
   }
   return false;
 }

@@ -46,7 +46,7 @@ class HeldWithin {
   bool holds_walls(const std::vector<Vec2>& ring);
   bool leaves_gap(const Polygon& polygon, const Aabb& reach);
   void cut_rows(const Aabb& reach);
-  bool has_gap(const Polygon& polygon, const Row& row) const;
+  bool has_gap(const Polygon& polygon, const Row& row, const Stretch& freed) const;
 
   std::vector<Aabb> near_;  // boxes that may touch the footprint, and are as high
   std::vector<Stretch> stretches_;

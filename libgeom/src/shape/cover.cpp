@@ -130,25 +130,20 @@ class Slabs {
   void begin(double y0) {
     while (next_ < edges_.size() && edges_[next_].low.y() <= y0) begun_.push_back(&edges_[next_++]);
     while (level_ + 1 < levels_.size() && levels_[level_] <= y0) ++level_;
-    gauge_.begin(y0, y0);
-    std::size_t kept = 0;
-    for (const CoverEdge* edge : begun_) {
-      if (edge->high.y() < y0 - 1.5 * slack_) continue;
-      begun_[kept++] = edge;
-      gauge_.add(*edge);
-    }
-    begun_.resize(kept);
+    std::erase_if(begun_,
+                  [&](const CoverEdge* edge) { return edge->high.y() < y0 - 1.5 * slack_; });
+    gauge_.begin(y0, begun_);
     given_ = next_;
   }
 
   // A slab up to y1: gives the gauge what else may be near, and takes back what is further up.
   void reach_to(double y1) {
-    gauge_.reach_to(y1);
     const double far = y1 + 1.5 * slack_;
     for (; given_ > next_ && edges_[given_ - 1].low.y() > far; --given_) gauge_.take_back();
     for (; given_ < edges_.size() && edges_[given_].low.y() <= far; ++given_) {
       gauge_.add(edges_[given_]);
     }
+    gauge_.reach_to(y1);
   }
 
   // Of what lies inside the open slab, and its closure: the edges' own ranges of x, and the gaps
@@ -213,13 +208,29 @@ class Slabs {
       good = levels_[level];
     }
     if (good >= top || (at_corners_ && good > sure)) return good;
-    bad = std::min(bad, good + 8 * slack_);
-    if (valid(y0, bad)) return bad;
-    for (int i = 0; i < 6; ++i) {
-      const double middle = 0.5 * (good + bad);
-      (valid(y0, middle) ? good : bad) = middle;
+    const double most = good + 8 * slack_;
+    if (bad <= most) return between(y0, good, bad);
+    return valid(y0, most) ? most : between(y0, good, most);
+  }
+
+  // What six halvings find between a slab that is valid, or surely would be, and one that is not.
+  // A slab within a valid one is valid. So the halvings first ask the corner alone that refused a
+  // slab last, and what it does not refuse is looked at once, where they end.
+  double between(double y0, double good, double bad) {
+    bool guess = true;
+    for (double least_bad = bad;;) {
+      double low = good;
+      double high = bad;
+      for (int i = 0; i < 6; ++i) {
+        const double middle = 0.5 * (low + high);
+        const bool refused =
+            middle >= least_bad || (guess ? corner_refuses(middle) : !valid(y0, middle));
+        (refused ? high : low) = middle;
+      }
+      if (!guess || low == good || valid(y0, low)) return low;
+      least_bad = low;
+      guess = corner_refuses(low);  // else something that corners do not tell
     }
-    return good;
   }
 
   // Slabs like that from y0 to y1, which is the highest between two corners, as long as a look at
@@ -269,7 +280,13 @@ class Slabs {
     for (const CoverEdge* edge : begun_) {
       if (edge->high.y() > y0) out = std::min(out, edge->length_over_run);
     }
-    return SlackGauge::kSurelyNear * slack_ * out;
+    return SlackGauge::surely_near(slack_) * out;
+  }
+
+  // Whether the corner that refused the last slab surely refuses this one.
+  bool corner_refuses(double y1) {
+    reach_to(y1);
+    return gauge_.refuses_again();
   }
 
   // Whether the slab's rectangles stay within the slack.

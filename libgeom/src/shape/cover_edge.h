@@ -36,6 +36,7 @@ struct CoverEdge {
   double right = std::max(low.x(), high.x());
   // Its length over its run, which is how high a slab may be for each metre of slack.
   double length_over_run = std::sqrt(squared) / std::abs(step.x());
+  double run_over_length = 1 / length_over_run;
 
   double x_at(double y) const {
     if (high.y() == low.y()) return low.x();

@@ -2,16 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace geom {
 namespace {
 
-constexpr double kSurelyFar = 1.0001;  // a share of the slack
-constexpr double kLong = 16;           // times as long as high
-constexpr double kTouching = 2e-3;     // of the slack: more than rectangles are rounded outward
-constexpr double kLeaf = 0.02;         // of the slack: the radius of what is not halved any more
-constexpr double kMuch = 4;            // times as long as what is unclear of it
+constexpr double kLong = 16;        // times as long as high
+constexpr double kTouching = 2e-3;  // of the slack: more than rectangles are rounded outward
+constexpr double kLeaf = 0.02;      // of the slack: the radius of what is not halved any more
+constexpr double kRounded = 1e-5;   // of distances: more than they are rounded by
+constexpr double kMuch = 4;         // times as long as what is unclear of it
 constexpr std::size_t kFewParts = 4;
 constexpr std::size_t kManyEdges = 64;  // near a slab: looking at each beside all is no short cut
 
@@ -66,15 +67,28 @@ bool are_apart(const CoverEdge& a, const CoverEdge& b, double reach) {
 
 SlackGauge::SlackGauge(double slack, std::size_t rings)
     : slack_(slack),
-      near_squared_((kSurelyNear * slack) * (kSurelyNear * slack)),
-      far_squared_((kSurelyFar * slack) * (kSurelyFar * slack)),
+      near_(surely_near(slack)),
+      near_squared_(near_ * near_),
       reach_(1.01 * slack),
+      touching_(kTouching * slack),
       winding_(rings) {}
 
-void SlackGauge::begin(double y0, double y1) {
+void SlackGauge::begin(double y0, std::span<const CoverEdge* const> begun) {
   y0_ = y0;
+  edges_.clear();
+  const auto ends_below = [&](const CoverEdge* edge) { return edge->high.y() < y0 - touching_; };
+  std::copy_if(begun.begin(), begun.end(), std::back_inserter(edges_), ends_below);
+  first_meeting_ = edges_.size();
+  std::remove_copy_if(begun.begin(), begun.end(), std::back_inserter(edges_), ends_below);
+  reach_to(y0);
+}
+
+void SlackGauge::reach_to(double y1) {
   y1_ = y1;
-  near_.clear();
+  end_meeting_ = edges_.size();
+  while (end_meeting_ > first_meeting_ && edges_[end_meeting_ - 1]->low.y() > y1 + touching_) {
+    --end_meeting_;
+  }
 }
 
 Rectangle SlackGauge::around(const CoverEdge& edge) const {
@@ -84,44 +98,38 @@ Rectangle SlackGauge::around(const CoverEdge& edge) const {
 
 std::optional<bool> SlackGauge::clear_case() {
   unclear_.clear();
-  if (near_.size() > kManyEdges) {
+  found_.clear();
+  if (edges_.size() > kManyEdges) {
     unclear_size_ = kInfinity;
-    unclear_.push_back({{Vec2::Constant(-kInfinity), Vec2::Constant(kInfinity)}});
+    unclear_.push_back({Vec2::Constant(-kInfinity), Vec2::Constant(kInfinity)});
     return std::nullopt;
   }
   if (refuses_again()) return false;
-  for (const CoverEdge* edge : near_) {
+  for (const CoverEdge* edge : meeting()) {
     if (!look_at(*edge)) return false;
   }
   // What stays unclear is what allows() looks at.
-  std::swap(unclear_, found_);
-  unclear_.clear();
   unclear_size_ = 0;
-  for (const Unclear& unclear : found_) {
-    if (unclear.close) {
-      keep_unclear(unclear);
-      continue;
-    }
+  for (const Rectangle& place : found_) {
     const std::size_t before = unclear_.size();
-    if (!settle(unclear.place)) return false;
+    if (!settle(place)) return false;
     if (unclear_.size() <= before + kFewParts) continue;
     unclear_.resize(before);  // halving all of it once is less than asking about each part
-    keep_unclear({unclear.place});
+    keep_unclear(place);
   }
   if (!unclear_.empty()) return std::nullopt;
   return true;
 }
 
-void SlackGauge::keep_unclear(const Unclear& unclear) {
-  const Vec2 size = unclear.place.max - unclear.place.min;
-  unclear_size_ = std::max(unclear_size_, size.maxCoeff());
-  unclear_.push_back(unclear);
+void SlackGauge::keep_unclear(const Rectangle& place) {
+  unclear_size_ = std::max(unclear_size_, (place.max - place.min).maxCoeff());
+  unclear_.push_back(place);
 }
 
 bool SlackGauge::refuses_again() {
   if (!refusing_ || !meets(*refusing_)) return false;
   const Vec2 p = corner(around(*refusing_), refusing_corner_);
-  return !is_near(far_squared_, p) && !is_inside(p);
+  return !is_inside(p) && !is_near(near_squared_, p);
 }
 
 // The corner moves along its edge. What it passes far from every edge is outside as it is.
@@ -131,56 +139,60 @@ bool SlackGauge::refuses_further(double rise) {
   const Vec2 to = from + refusing_->step * (rise / refusing_->step.y());
   if (is_inside(from)) return false;
   const CoverEdge way{from, to, 0, 1};
-  return std::all_of(near_.begin(), near_.end(),
+  return std::all_of(edges_.begin(), edges_.end(),
                      [&](const CoverEdge* edge) { return are_apart(way, *edge, reach_); });
+}
+
+// Whether all of what the edge bounds is surely within the slack of it. Between its ends, the edge
+// is the diagonal of a rectangle whose other corners are height times run over length from it.
+// Points below and above its ends are further by no more than the slab reaches there.
+bool SlackGauge::is_steep(const CoverEdge& edge) const {
+  const double below = std::max(edge.low.y() - y0_, 0.0);
+  const double above = std::max(y1_ - edge.high.y(), 0.0);
+  const double height = y1_ - y0_ - below - above;
+  return height * edge.run_over_length + std::max(below, above) < (1 - kRounded) * near_;
 }
 
 // False where a corner of what the edge bounds is surely too far.
 bool SlackGauge::look_at(const CoverEdge& edge) {
-  if (!meets(edge)) return true;
+  if (!meets(edge) || is_steep(edge)) return true;
   const Rectangle r = around(edge);
   bool beside = true;
-  unsigned close = 0;  // a bit for each corner
   for (std::size_t i = 0; i < 4; ++i) {
     const Vec2 p = corner(r, i);
     if (edge.is_within(near_squared_, p)) continue;
     beside = false;
-    if (is_near(near_squared_, p) || is_inside(p)) continue;
-    if (!is_near(far_squared_, p)) {
-      refusing_ = &edge;
-      refusing_corner_ = i;
-      return false;
-    }
-    close |= 1U << i;
+    if (is_inside(p) || is_near(near_squared_, p)) continue;
+    refusing_ = &edge;
+    refusing_corner_ = i;
+    return false;
   }
-  if (!beside) add_unclear(r, edge, close);
+  if (!beside) add_unclear(r, edge);
   return true;
 }
 
 // The parts of the rectangle around an edge that are not surely within the slack of it. Between a
 // corner and its two neighbours the distance is at most what it is at the three, weighted; so what
 // exceeds the slack at the corner alone does so in a smaller rectangle there.
-void SlackGauge::add_unclear(const Rectangle& r, const CoverEdge& edge, unsigned close) {
-  const double slack = kSurelyNear * slack_;
+void SlackGauge::add_unclear(const Rectangle& r, const CoverEdge& edge) {
   std::array<double, 4> distance;
   for (std::size_t i = 0; i < 4; ++i) {
     distance[i] = std::sqrt(edge.squared_distance(corner(r, i)));
   }
   for (std::size_t i = 0; i < 4; ++i) {
-    const double excess = distance[i] - slack;
+    const double excess = distance[i] - near_;
     if (excess <= 0) continue;
     const double aside = distance[i ^ 1];  // of the neighbours along x and y
     const double along = distance[i ^ 2];
-    if (aside > slack || along > slack) {
-      unclear_.push_back({r, nullptr, 0, close != 0});
+    if (aside > near_ || along > near_) {
+      found_.push_back(r);
       return;
     }
     const Vec2 p = corner(r, i);
     const Vec2 reach =
         (corner(r, i ^ 3) - p)
             .cwiseProduct(Vec2(excess / (distance[i] - aside), excess / (distance[i] - along)));
-    unclear_.push_back(
-        {{p.cwiseMin(p + reach), p.cwiseMax(p + reach)}, &edge, i, (close >> i & 1) != 0});
+    found_.push_back({p.cwiseMin(p + reach), p.cwiseMax(p + reach)});
   }
 }
 
@@ -189,16 +201,14 @@ void SlackGauge::add_unclear(const Rectangle& r, const CoverEdge& edge, unsigned
 bool SlackGauge::settle(const Rectangle& r) {
   const Vec2 size = r.max - r.min;
   const double radius = radius_of(size);
-  const double near = kSurelyNear * slack_;
   const Vec2 centre = 0.5 * (r.min + r.max);
-  const double aside = to_edge(centre, near - radius);
-  if (aside + radius <= near) return true;
   const bool inside = is_inside(centre);
-  if (inside && radius <= near) return true;
-  if (!inside && aside > kSurelyFar * slack_) return false;
-  if (beside_any(r) || within_halves(r, inside) || within_bands(r)) return true;
+  if (inside && radius <= near_) return true;
+  if (radius < near_ && is_near((near_ - radius) * (near_ - radius), centre)) return true;
+  if (!inside && !is_near(near_squared_, centre)) return false;
+  if (within_halves(r, inside) || beside_any(r) || within_bands(r)) return true;
   if (size.maxCoeff() < 0.1 * slack_) {
-    keep_unclear({r});
+    keep_unclear(r);
     return true;
   }
   const auto [first, second] = halves(r);
@@ -206,9 +216,12 @@ bool SlackGauge::settle(const Rectangle& r) {
 }
 
 // Whether an edge is that near, which is no further than surely far.
-bool SlackGauge::is_near(double squared_reach, const Vec2& p) const {
-  for (const CoverEdge* edge : near_) {
-    if (!out_of_reach(*edge, p.x()) && edge->is_within(squared_reach, p)) return true;
+bool SlackGauge::is_near(double squared_reach, const Vec2& p) {
+  if (nearest_ < edges_.size() && edges_[nearest_]->is_within(squared_reach, p)) return true;
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    if (out_of_reach(*edges_[i], p) || !edges_[i]->is_within(squared_reach, p)) continue;
+    nearest_ = i;
+    return true;
   }
   return false;
 }
@@ -222,8 +235,8 @@ bool SlackGauge::beside(const Rectangle& r, const CoverEdge& edge) const {
 }
 
 bool SlackGauge::beside_any(const Rectangle& r) const {
-  for (const CoverEdge* edge : near_) {
-    if (!out_of_reach(*edge, r.min.x()) && !out_of_reach(*edge, r.max.x()) && beside(r, *edge)) {
+  for (const CoverEdge* edge : edges_) {
+    if (!out_of_reach(*edge, r.min) && !out_of_reach(*edge, r.max) && beside(r, *edge)) {
       return true;
     }
   }
@@ -234,7 +247,7 @@ bool SlackGauge::beside_any(const Rectangle& r) const {
 // halves: those outside are surely near the edge if their corners are, since they are convex.
 bool SlackGauge::within_halves(const Rectangle& r, bool middle_inside) {
   const CoverEdge* cut = nullptr;
-  for (const CoverEdge* edge : near_) {
+  for (const CoverEdge* edge : meeting()) {
     if (!may_meet(*edge, r)) continue;
     if (cut) return false;
     cut = edge;
@@ -258,7 +271,7 @@ bool SlackGauge::within_bands(const Rectangle& r) {
     return low >= high || beside_any(band) ||
            (is_inside(0.5 * (band.min + band.max)) && clear_of_edges(band));
   };
-  for (const CoverEdge* edge : near_) {
+  for (const CoverEdge* edge : edges_) {
     if (edge->left > r.min.x() || edge->right < r.max.x()) continue;
     const auto at = [&](double x) {
       const double t = (x - edge->low.x()) / (edge->high.x() - edge->low.x());
@@ -276,9 +289,8 @@ bool SlackGauge::within_bands(const Rectangle& r) {
 
 // Whether it is no further from one of them than rectangles are rounded outward.
 bool SlackGauge::touches_unclear(const Rectangle& r) const {
-  const double pad = kTouching * slack_;
-  for (const Unclear& unclear : unclear_) {
-    const Rectangle& u = unclear.place;
+  const double pad = touching_;
+  for (const Rectangle& u : unclear_) {
     if (u.min.x() <= r.max.x() + pad && r.min.x() <= u.max.x() + pad &&
         u.min.y() <= r.max.y() + pad && r.min.y() <= u.max.y() + pad) {
       return true;
@@ -287,72 +299,27 @@ bool SlackGauge::touches_unclear(const Rectangle& r) const {
   return false;
 }
 
-bool SlackGauge::allows(const Rectangle& r) {
-  settle_corners(r);
-  return allows_parts(r);
-}
-
-// Forgets the unclear places at corners of the rectangle that its smallest parts there settle.
-void SlackGauge::settle_corners(const Rectangle& r) {
-  std::erase_if(unclear_,
-                [&](const Unclear& unclear) { return unclear.edge && is_settled(unclear, r); });
-}
-
-// Whether allows_parts() surely finds all parts of the rectangle that touch the place near enough
-// to its edge, by what it asks of the smallest: the middle within the slack, less the part's
-// radius. Their middles lie in the rectangle between that of the part at the corner and a point
-// behind the place, and to be near an edge is convex.
-bool SlackGauge::is_settled(const Unclear& unclear, const Rectangle& r) const {
-  const Vec2 p = corner(around(*unclear.edge), unclear.corner);
-  const Vec2 rounded = corner(r, unclear.corner);
-  if ((rounded - p).cwiseAbs().maxCoeff() > 0.1 * kTouching * slack_) return false;
-  Rectangle part = r;
-  double radius = kInfinity;
-  const double surely_more = 4.001 * kLeaf * kLeaf * slack_ * slack_;
-  while (true) {
-    const Vec2 size = part.max - part.min;
-    if (size.squaredNorm() < surely_more) {
-      radius = radius_of(size);
-      if (radius < kLeaf * slack_) break;
-    }
-    const int axis = size.x() >= size.y() ? 0 : 1;
-    const double middle = 0.5 * (part.min[axis] + part.max[axis]);
-    const bool upper = (unclear.corner >> axis & 1) != 0;
-    (upper ? part.min : part.max)[axis] = middle;
-  }
-  const Vec2 near = 0.5 * (part.min + part.max);
-  const Vec2 opposite = corner(unclear.place, unclear.corner ^ 3);
-  const Vec2 inward(unclear.corner % 2 != 0 ? -1 : 1, unclear.corner >= 2 ? -1 : 1);
-  const Vec2 behind = opposite + inward * (2 * kLeaf + kTouching) * slack_;
-  const Rectangle middles{near.cwiseMin(behind), near.cwiseMax(behind)};
-  const double reach = (1 - 1e-9) * (slack_ - radius);
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (!unclear.edge->is_within(reach * reach, corner(middles, i))) return false;
-  }
-  return true;
-}
-
 // What touches little that is unclear is halved down to that without a look at all edges: what they
 // would tell at once, its parts tell too.
-bool SlackGauge::allows_parts(const Rectangle& r) {
+bool SlackGauge::allows(const Rectangle& r) {
   if (!touches_unclear(r)) return true;
   const Vec2 size = r.max - r.min;
   const double radius = radius_of(size);
-  const bool few = near_.size() <= kManyEdges;
+  const bool few = edges_.size() <= kManyEdges;
   const bool much = few && size.maxCoeff() < kMuch * unclear_size_;
   // A large one that no edge meets is settled at once, others by their parts.
   if (much && radius > slack_ && clear_of_edges(r)) {
     const Vec2 centre = 0.5 * (r.min + r.max);
     if (is_inside(centre)) return true;
-    if (!is_near(far_squared_, centre)) return false;
+    if (!is_near(near_squared_, centre)) return false;
   }
   if (!few || radius <= slack_) {
     const Vec2 centre = 0.5 * (r.min + r.max);
-    const double aside = to_edge(centre, (1 - 1e-9) * (slack_ - radius));
-    if (aside + radius <= slack_) return true;
+    const double reach = (1 - 1e-9) * (slack_ - radius);
+    if (reach > 0 && is_near(reach * reach, centre)) return true;
     const bool inside = is_inside(centre);
     if (inside && radius <= slack_) return true;
-    if (!inside && aside > slack_) return false;
+    if (!inside && !is_near(slack_ * slack_, centre)) return false;
     if (radius < kLeaf * slack_) return false;
     // A part beside an edge or wholly inside would be halved down to the slack for nothing.
     if (much && beside_any(r)) return true;
@@ -360,26 +327,13 @@ bool SlackGauge::allows_parts(const Rectangle& r) {
   }
   if (much && within_bands(r)) return true;
   const auto [first, second] = halves(r);
-  return allows_parts(first) && allows_parts(second);
-}
-
-// From p to the nearest edge where that is at most the slack, or less than `enough` as soon as one
-// is; else more than the slack.
-double SlackGauge::to_edge(const Vec2& p, double enough) const {
-  const double squared_enough = enough > 0 ? enough * enough : 0;
-  double best = kInfinity;  // squared
-  for (const CoverEdge* edge : near_) {
-    if (out_of_reach(*edge, p.x())) continue;
-    best = std::min(best, edge->squared_distance(p));
-    if (best < squared_enough) break;
-  }
-  return std::sqrt(best);
+  return allows(first) && allows(second);
 }
 
 bool SlackGauge::is_inside(const Vec2& p) {
   winding_.clear();
   bool odd = false;
-  for (const CoverEdge* edge : near_) {
+  for (const CoverEdge* edge : meeting()) {
     if (!edge->is_right_of(p)) continue;
     winding_.count(*edge);
     odd = !odd;
@@ -388,7 +342,8 @@ bool SlackGauge::is_inside(const Vec2& p) {
 }
 
 bool SlackGauge::clear_of_edges(const Rectangle& r) const {
-  return std::none_of(near_.begin(), near_.end(),
+  const auto edges = meeting();
+  return std::none_of(edges.begin(), edges.end(),
                       [&](const CoverEdge* edge) { return may_meet(*edge, r); });
 }
 

@@ -112,5 +112,36 @@ TEST(HeldWithin, IsNeverHeldWhereAPointOfItIsFree) {
   EXPECT_GT(held_ones, 1000);
 }
 
+// Rows of boxes as cover() makes them, which end where others begin or a hair above, some left out.
+std::vector<Aabb> random_rows(SplitMix64& random) {
+  std::vector<Aabb> boxes;
+  for (double y = 0; y < 4;) {
+    const double next = std::min(4.0, y + random.whole(1, 16) / 16.0);
+    for (double x = 0; x < 4;) {
+      const double end = std::min(4.0, x + random.whole(8, 48) / 16.0);
+      const double over = random.chance(0.5) ? 1e-9 : 0;
+      if (random.chance(0.92)) {
+        boxes.push_back({Vec3(x - over, y - over, 0), Vec3(end + over, next + over, 1)});
+      }
+      x = end;
+    }
+    y = next;
+  }
+  return boxes;
+}
+
+TEST(HeldWithin, IsNeverHeldByRowsWhereAPointOfItIsFree) {
+  SplitMix64 random(12);
+  int held_ones = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Footprint f = random_triangle(random);
+    const std::vector<Aabb> rows = random_rows(random);
+    if (!held(f, rows)) continue;
+    ++held_ones;
+    ASSERT_FALSE(has_free_point(f.polygon.outer, rows)) << i;
+  }
+  EXPECT_GT(held_ones, 1000);
+}
+
 }  // namespace
 }  // namespace geom

@@ -100,6 +100,28 @@ TEST(Cover, OfRotatedRectanglesHoldsAll) {
   }
 }
 
+// The distance to a convex polygon is largest at a corner, so this is exact up to long doubles.
+TEST(Cover, StaysWithinTheLeastSlackOfLargeCoordinates) {
+  support::Random random(5);
+  for (int i = 0; i < 300; ++i) {
+    const double size = std::pow(10, random.uniform(0, 7));
+    const double slack = std::max(1e-6, 1e-9 * size) * random.uniform(1, 3);
+    const double turn = random.uniform(0.1, 1.4);
+    const Vec2 along = slack * random.uniform(20, 60) * Vec2(std::cos(turn), std::sin(turn));
+    const Vec2 aside = random.uniform(0.2, 1) * Vec2(-along.y(), along.x());
+    const Vec2 corner = 0.9 * size * Vec2(1, random.uniform(-1, 1));
+    const Polygon polygon{{corner, corner + along, corner + along + aside, corner + aside}, {}};
+    const oracle::Distance distance(polygon);
+    for (const Rectangle& r : cover(polygon, slack)) {
+      for (const double x : {r.min.x(), r.max.x()}) {
+        for (const double y : {r.min.y(), r.max.y()}) {
+          ASSERT_LE(distance(x, y), static_cast<long double>(slack)) << "case " << i;
+        }
+      }
+    }
+  }
+}
+
 TEST(Cover, OfStarsWithHolesHoldsAll) {
   support::Random random(2);
   for (int i = 0; i < 60; ++i) {

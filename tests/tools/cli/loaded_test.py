@@ -12,7 +12,7 @@ import sys
 
 EVERY = {"libz", "libsimdjson", "libmpfr", "libgmp", "libfmt", "libstdc++", "libm", "libgcc_s", "libc", "ld-linux-x86-64"}
 FURTHER = {"skyway-render": {"libpng16"}, "skyway-view": {"libpng16", "libwebp"}, "skyway-submit": {"libpng16", "libwebp"}}
-LARGE = {"skyway-cloud", "skyway-footprints", "skyway-bench"}  # PCL and PROJ, GDAL, OMPL: with all that these need
+LARGE = {"skyway-cloud", "skyway-bench"}  # PCL and PROJ, OMPL: with all that these need
 NOWHERE = {"libipopt", "libcrypto", "liboctomap", "libembree3"}  # not linked by those either
 
 tools = pathlib.Path(sys.argv[1])
