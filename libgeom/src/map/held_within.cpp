@@ -9,6 +9,7 @@ namespace geom {
 namespace {
 
 constexpr std::size_t kMostGapBoxes = 1000;
+constexpr double kLowRow = 1e-6;  // m: far more than rounding
 
 bool holds_all(const Aabb& box, const Aabb& reach) {
   return box.min.z() <= reach.min.z() && box.max.z() >= reach.max.z() &&
@@ -113,7 +114,9 @@ bool HeldWithin::has_gap(const Polygon& polygon, const Row& row, const Stretch& 
 // Whether the polygon, whose edges lie within the boxes, holds a place that none of them does. The
 // boxes' sides cut the rectangle around it into rows. No edge enters what no box covers between two
 // boxes of a row, so that lies inside the polygon as a whole or outside as a whole, with what of
-// the row above lies over it. So a row is looked at where boxes of the row below end.
+// the row above lies over it, if no box is between them. So a row is looked at where boxes of the
+// row below end, or flat ones lie between. A low row's place may be one that rounding opened, so
+// the row above it is looked at, too.
 bool HeldWithin::leaves_gap(const Polygon& polygon, const Aabb& reach) {
   if (near_.size() > kMostGapBoxes) return true;  // not worth looking: it gets boxes of its own
   coming_.clear();
@@ -134,14 +137,17 @@ bool HeldWithin::leaves_gap(const Polygon& polygon, const Aabb& reach) {
     if (first_end <= y) {
       std::erase_if(in_row_, [&](const InPlan& box) {
         if (box.y1 > y) return false;
-        freed = {std::min(freed.from, box.x0), std::max(freed.to, box.x1)};
+        freed = freed.with(box);
         return true;
       });
       first_end = reach.max.y();
       for (const InPlan& box : in_row_) first_end = std::min(first_end, box.y1);
     }
     for (; next != coming_.end() && next->y0 <= y; ++next) {
-      if (next->y1 <= y) continue;
+      if (next->y1 <= y) {
+        freed = freed.with(*next);
+        continue;
+      }
       in_row_.insert(std::upper_bound(in_row_.begin(), in_row_.end(), *next,
                                       [](const InPlan& a, const InPlan& b) { return a.x0 < b.x0; }),
                      *next);
@@ -150,7 +156,7 @@ bool HeldWithin::leaves_gap(const Polygon& polygon, const Aabb& reach) {
     if (freed.from > freed.to) continue;
     const Row row{0.5 * (y + rows_[j + 1]), reach.min.x(), reach.max.x()};
     if (has_gap(polygon, row, freed)) return true;
-    freed = {kInfinity, -kInfinity};
+    if (rows_[j + 1] - y > kLowRow) freed = {kInfinity, -kInfinity};
   }
   return false;
 }

@@ -2,6 +2,7 @@
 
 // Whether boxes hold a footprint between them.
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <vector>
@@ -23,11 +24,6 @@ class HeldWithin {
   bool operator()(const Footprint& footprint, std::span<const Aabb> boxes);
 
  private:
-  struct Stretch {
-    double from;
-    double to;
-  };
-
   // A box in plan: closed.
   struct InPlan {
     double x0;
@@ -35,6 +31,14 @@ class HeldWithin {
     double y0;
     double y1;
   };
+
+  struct Stretch {
+    double from;
+    double to;
+
+    Stretch with(const InPlan& box) const { return {std::min(from, box.x0), std::max(to, box.x1)}; }
+  };
+
   struct Row {
     double y;
     double x0;

@@ -112,6 +112,22 @@ TEST(HeldWithin, IsNeverHeldWhereAPointOfItIsFree) {
   EXPECT_GT(held_ones, 1000);
 }
 
+// The floor of the wide part lies in a flat box, with nothing below it and nothing above.
+TEST(HeldWithin, IsNotHeldAboveAFlatBox) {
+  Footprint f;
+  f.polygon.outer = {{0, 0}, {1, 0}, {1, 1}, {4, 1}, {4, 3}, {0, 3}};
+  f.top = 1;
+  const std::vector<Aabb> walls = {{Vec3(0, 0, 0), Vec3(1, 1, 1)},
+                                   {Vec3(0, 1, 0), Vec3(1, 3, 1)},
+                                   {Vec3(1, 1, 0), Vec3(4, 1, 1)},
+                                   {Vec3(1, 3, 0), Vec3(4, 3, 1)},
+                                   {Vec3(4, 1, 0), Vec3(4, 3, 1)}};
+  EXPECT_FALSE(held(f, walls));
+  std::vector<Aabb> filled = walls;
+  filled.push_back({Vec3(1, 1, 0), Vec3(4, 3, 1)});
+  EXPECT_TRUE(held(f, filled));
+}
+
 // Rows of boxes as cover() makes them, which end where others begin or a hair above, some left out.
 std::vector<Aabb> random_rows(SplitMix64& random) {
   std::vector<Aabb> boxes;
