@@ -160,7 +160,8 @@ def look_at(name, readings, position_period=10):
             off = np.abs(np.array([period.after[i].c[n] for i in range(rows.gust)]) - states[periods[n] + 1, :rows.gust]) if periods[n] < PERIODS else 0
             assert np.all(off <= 1e-7), (periods[n], off)
     assert used.max() > 0.3, used
-    print(f"{name}, {'noise' if claim.is_noisy else 'exact readings'}, {position_period} ms: {8 * PERIODS} periods from anywhere within their bounds: at most {used.max():.2f} of a remainder was used; by row", np.round(used, 2))
+    told = "noise" if claim.is_noisy else "exact readings"
+    print(f"{name}, {told}, {position_period} ms: {8 * PERIODS} periods from anywhere within their bounds: at most {used.max():.2f} of a remainder was used; by row", np.round(used, 2))
 
 
 for name in CLAIMS:
