@@ -76,12 +76,6 @@ void check_usage(const fly::Options& options, const Inputs& inputs, const Output
   if (!outputs.certificate.empty() && !options.proved_tube) {
     throw cli::UsageError("--certificate: give --proved-tube, of whose proof it is");
   }
-  if (!outputs.certificate.empty() && !options.flown.noise_most.empty()) {
-    throw cli::UsageError("--certificate holds for exact sensors: leave out --noise-most");
-  }
-  if (!outputs.certificate.empty() && options.flown.gain_error > 0) {
-    throw cli::UsageError("--certificate holds for exact gains: leave out --gain-error");
-  }
   if (options.runs > 0 && std::abs(options.flown.mass_error) >= 1) {
     throw cli::UsageError("--mass-error must be below 1 with --runs");
   }

@@ -98,6 +98,8 @@ std::string tube_certificate_line(const std::string& id, geom::Axes axes,
   line.add("drag_error", d.drag_error).add("motor_lag_error", d.motor_lag_error);
   line.add("inertia_error", d.inertia_error);
   line.add("start_error", d.start_error).add("start_speed", d.start_speed);
+  line.add("place_noise", d.place_noise).add("velocity_noise", d.velocity_noise);
+  line.add("attitude_noise", d.attitude_noise).add("rate_noise", d.rate_noise);
   line.add("period", kTubePeriod).add("tilt", tube.tilt).add("radius", tube.radius);
   line.add("cells", tube.proofs, [](const ProvedCell& cell) {
     std::vector<int> periods;

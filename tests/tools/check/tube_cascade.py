@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from tube_flight import FILTER_SHARE, GRAVITY, STEP, Rows, attitude_along, body_axes, motors_for, rates_along
-from tube_models import arcus_sine, cosine, cross, dot, inverse, minus, plus, root, scaled, sine
+from tube_models import ROUNDING, arcus_sine, cosine, cross, dot, inverse, minus, plus, root, scaled, sine, times
 from tube_period import Body, Frame, FrameChange, Plant, motor_limits
 
 ROWS = Rows(lift=3, velocity=3, tilt=2, missing=1, heading=1, rates=3, spin=3, filtered=3, integral=3, missed=3, slope=3, due=3)
@@ -17,9 +17,10 @@ LEAST_LIFT = 0.3 * GRAVITY
 SLOWEST = 12.0  # 1/s: modes that die away more slowly are slow
 
 
-def named(period):
-    """Errors that a period names, in groups of three kinds each: of the wanted rates, the torques, and the velocity."""
-    return [3, 3 * period, 3]
+def named(claim):
+    """Errors that a period names, in groups of three kinds each: of the wanted rates, the torques, and the velocity; and with noise what each run of the
+    position loop reads."""
+    return [3, 3 * claim.period, 3, *[3 * -(-claim.period // claim.position_period)] * claim.is_noisy]
 
 
 def order(claim):
@@ -211,19 +212,39 @@ class Period(Plant):
         due = minus(self.lead, scaled(k.of_drift, v))
         drift = [(1 / k.of_drift[i]) * (due[i] - k.of_missed[i] * self.missed[i] + k.of_slope[i] * self.rises[i]) for i in range(3)]
         change = [due[i] + forward * (asked - self.asked_last)[:, i] for i in range(3)]
+        noise = self.misread() if self.claim.is_noisy else None
+        # As if the error had changed by the noise, too; but in its first run the loop has no derivative.
+        slopes = np.where(self.starts + millisecond > 0, k.share / k.period, 0.0)
+        if noise:
+            change = [c + (k.of_drift[i] - self.claim.velocity.d[i] * (k.share / k.period - slopes)) * noise[i] for i, c in enumerate(change)]
         self.turn_wanted_frame(change, yaw, yaw)
         self.asked_last = asked
         self.lift, self.missed = plus(self.lift, change), plus(self.missed, drift)
         self.rises = [(1 - k.share) * a + (k.share / k.period) * x for a, x in zip(self.rises, drift)]
+        if noise:
+            self.missed = plus(self.missed, noise)
+            self.rises = [a + slopes * x for a, x in zip(self.rises, noise)]
         self.lead = [k.of_missed[i] * self.missed[i] - k.of_slope[i] * self.rises[i] + k.of_drift[i] * v[i] for i in range(3)]
+        if noise:
+            self.lead = minus(self.lead, scaled(k.of_drift, noise))
+            v = plus(v, self.any_three(self.claim.velocity_noise))  # as it is read
         self.want(yaw)
         acceleration = [self.lift[0], self.lift[1], self.lift[2] - GRAVITY]
         before = minus(acceleration, scaled(k.of_missed, self.missed))  # with the integral before this run
         self.runs.append([*plus(self.missed, v), *before, *acceleration, *self.lift])
 
+    def misread(self):
+        """The noise of the velocity's error in a run of the position loop."""
+        claim = self.claim
+        first = 6 + 3 * claim.period + 3 * len(self.runs)
+        sizes = [claim.position[i] * claim.place_noise + claim.velocity_noise for i in range(3)]
+        return [self.named(self.within(size * (1 + ROUNDING)), first + i) for i, size in enumerate(sizes)]
+
     def orient(self, jerk, yaw_rate):
         """The attitude loop runs."""
         frame, w, forward = self.frame(self.body), self.wanted, self.claim.forward.body_rates
+        if self.claim.is_noisy:
+            frame, _ = self.read(frame)
         x, y, z = frame.x[2], frame.y[2], frame.z[2]  # the wanted z axis in the body's frame
         half = root(0.5 * (1.0 + z))
         off = -(frame.x[1] - x * frame.z[1] * inverse(1.0 + z))  # the sine of the angle that is left about z
@@ -238,15 +259,32 @@ class Period(Plant):
 
     def command(self, millisecond):
         """What the motors are told; the second-order terms of the torque become symbols."""
-        k, body = self.claim.rates, self.body
-        error = minus(self.wanted_rates, body.rates)
-        rest = [k.p[i] * error[i] - k.d[i] * self.filtered[i] for i in range(3)]
+        k, rates, filtered = self.claim.rates, self.body.rates, self.filtered
+        if self.claim.is_noisy:
+            noise = self.any_three(self.claim.rate_noise)
+            rates, filtered = plus(rates, noise), plus(filtered, times(FILTER_SHARE / STEP, noise))
+        error = minus(self.wanted_rates, rates)
+        rest = [k.p[i] * error[i] - k.d[i] * filtered[i] for i in range(3)]
         before = plus(rest, self.integral)
-        self.integral = [a + (STEP * k.i[i]) * error[i] for i, a in enumerate(self.integral)]
-        spin = plus(rest, self.integral)
+        after = [a + (STEP * k.i[i]) * error[i] for i, a in enumerate(self.integral)]
+        spin = plus(rest, after)
         self.turns.append([*before, *spin])
-        self.asked = [self.named(a + b, 3 + 3 * millisecond + i) for i, (a, b) in enumerate(zip(spin, self.gyroscopic(body.rates)))]
+        self.asked = [self.named(a + b, 3 + 3 * millisecond + i) for i, (a, b) in enumerate(zip(spin, self.gyroscopic(rates)))]
+        if self.claim.is_noisy:
+            after = self.take_noise(noise, millisecond)
+        self.integral = after
         self.commands.append(self.motors(self.wanted.size))
+
+    def take_noise(self, noise, millisecond):
+        """What the noise of the rates does to what follows. It is written by the torque's error, and the next reading takes a share of it out of the low
+        pass. Returns the integral."""
+        k, symbol, out = self.claim.rates, 3 + 3 * millisecond, []
+        for i in range(3):
+            gain = k.p[i] + STEP * k.i[i] + FILTER_SHARE / STEP * k.d[i]
+            known = self.by_error(noise[i], self.asked[i], gain, symbol + i)
+            out.append(self.integral[i] + (STEP * k.i[i]) * (self.wanted_rates[i] - self.body.rates[i] - known))
+            self.body.turned[i] = self.body.turned[i] - FILTER_SHARE * known
+        return out
 
     def advance(self, millisecond):
         """A millisecond of the vehicle, and what the controller will know of it."""

@@ -33,8 +33,9 @@ LAWS = {"geometric": tube_geometric, "cascade": tube_cascade}
 VEHICLE = ("mass", "inertia", "arm", "torque_per_thrust", "motor_time_constant", "motor_least", "motor_most", "drag")
 GAINS = ("position", "velocity", "attitude", "rates", "lead")
 CASCADE_GAINS = ("position", "velocity", "attitude", "rates", "feed_forward", "tilt_max")
+NOISE = ("place_noise", "velocity_noise", "attitude_noise", "rate_noise")
 CLAIM = ("type", "id", "frame", "vehicle", "controller", "gains", "attitude_period_ms", "hover", "settle", "wind", "wind_spread", "gust_most", "gust_lag",
-         "mass_error", "drag_error", "motor_lag_error", "inertia_error", "start_error", "start_speed", "period", "tilt", "radius", "cells")
+         "mass_error", "drag_error", "motor_lag_error", "inertia_error", "start_error", "start_speed", *NOISE, "period", "tilt", "radius", "cells")
 
 
 class Pid:
@@ -75,6 +76,8 @@ class Claim:
         for name in ("mass_error", "drag_error", "motor_lag_error", "inertia_error"):
             setattr(self, name, number(c[name], name, 0, 0.5))
         self.start_error, self.start_speed = (number(c[name], name, 0, 1000) for name in ("start_error", "start_speed"))
+        self.place_noise, self.velocity_noise, self.attitude_noise, self.rate_noise = (number(c[name], name, 0, 1000) for name in NOISE)
+        require(self.attitude_noise <= 1, "attitude_noise must be at most 1")
         require(number(c["period"], "period") == 0.1, "period must be 0.1")
         self.tilt = number(c["tilt"], "tilt", 0, math.pi)
         self.radius = [number(r, f"radius[{i}]", 0) for i, r in enumerate(entries(c["radius"], "radius"))]
@@ -105,6 +108,10 @@ class Claim:
         forward = keys_of(gains["feed_forward"], ("velocity", "acceleration", "body_rates"), "feed_forward")
         self.forward = types.SimpleNamespace(**{name: number(value, f"feed_forward.{name}", 0, 2) for name, value in forward.items()})
         self.tilt_max = positive(gains["tilt_max"], "tilt_max", 1.5)
+
+    @property
+    def is_noisy(self):
+        return self.place_noise + self.velocity_noise + self.attitude_noise + self.rate_noise > 0
 
     @staticmethod
     def milliseconds(c, name, most):

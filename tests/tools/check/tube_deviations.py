@@ -17,7 +17,8 @@ JOINED = 5  # periods whose gusts are added up
 AGED = 10  # blocks, then what they did is joined
 OLD = 4  # of those, then it becomes a box
 PIECE = 3000  # columns whose images fit a cache
-KEPT = 100  # columns of those that grow old
+KEPT = 100  # columns of those that grow old,
+NOISE_KEPT = 400  # and of a block, with noise
 RIDGES = (1e-4, 1e-3, 1e-2, 1e-1)  # shares of the squares that keep ties small
 AHEAD = (1, 2, 4, 8, 16)  # so many blocks later columns around others are compared
 UP = 1 + 1e-12  # above the rounding of sums of thousands of terms of one sign
@@ -216,19 +217,21 @@ class Deviations:
             self.age(self.recent.pop(0))
 
     def age(self, old):
-        """Adds up errors of a kind over the periods of a block. Few columns hold how they differ from their mean."""
+        """Adds up errors of a kind over the periods of a block. Few columns hold how they differ from their mean. What noise does differs from period
+        to period: with noise, errors are added up in each period by itself, and the largest sums stay."""
         balls, rest = added_up(old.balls, JOINED)
-        columns = old.intervals.reshape(self.changing, self.block, -1)
-        kinds, at = [], 0
-        for width in self.law.named(self.claim.period):
-            kinds.append(columns[:, :, at:at + width].reshape(self.changing, -1, 3))
-            at += width
-        kinds.append(columns[:, :, at:])
-        means = [kind.mean(1, keepdims=True) for kind in kinds]
+        noisy, more = self.claim.is_noisy, ROUNDING * old.sizes()
+        *groups, boxes = np.split(old.intervals.reshape(self.changing, self.block, -1), np.cumsum(self.law.named(self.claim)), axis=2)
+        apart = (self.changing, self.block if noisy else 1, -1)
+        kinds = [*(group.reshape(*apart, 3) for group in groups), boxes.reshape(*apart, self.changing)]
+        means = [kind.mean(2, keepdims=True) for kind in kinds]
         rest = [rest, *((kind - middle).reshape(self.changing, -1) for kind, middle in zip(kinds, means))]
-        sums = [middle[:, 0] * kind.shape[1] for kind, middle in zip(kinds, means)]
-        around = self.around.columns(np.hstack(rest), ROUNDING * old.sizes())
-        self.aged.append(Terms(np.hstack([*sums, around]), balls))
+        sums = [(middle * kind.shape[2]).reshape(self.changing, -1) for kind, middle in zip(kinds, means)]
+        if noisy:
+            columns = self.around.fewer(np.hstack([*sums, *rest]), more, NOISE_KEPT)
+        else:
+            columns = np.hstack([*sums, self.around.columns(np.hstack(rest), more)])
+        self.aged.append(Terms(columns, balls))
         if len(self.aged) == 2 * AGED:
             terms = Terms.all(self.aged[:AGED])
             self.old.append(Terms(self.around.fewer(terms.intervals, ROUNDING * terms.sizes()), terms.balls))
@@ -278,8 +281,8 @@ class Around:
             found.append((np.max(self.reached + np.abs(self.ahead @ around).sum(1) - before), len(found), around))
         return min(found)[2]
 
-    def fewer(self, columns, more):
+    def fewer(self, columns, more, kept=KEPT):
         """The columns that do most to what is slow, and few around the others."""
         slow = np.abs(self.forms @ columns)
         order = np.argsort((slow / np.maximum(slow.sum(1), 1e-300)[:, None]).sum(0))
-        return np.hstack([columns[:, order[-KEPT:]], self.columns(columns[:, order[:-KEPT]], more)])
+        return np.hstack([columns[:, order[-kept:]], self.columns(columns[:, order[:-kept]], more)])

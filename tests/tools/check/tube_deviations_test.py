@@ -19,7 +19,7 @@ BLOCK = 25
 PERIODS = 100 * BLOCK
 SLOW = [0, 1, 2, 3, 4, 5, 9]  # of the rates of maps_of()
 KNOWN = dict(wind=[1.0, 0.0, 0.0], wind_spread=0.2, mass_error=0.01, drag_error=0.05, motor_lag_error=0.02, inertia_error=0.03, period=4, gust_most=0.5,
-             drag_rate=0.12, position=[4.0, 5.0, 6.0], gust_kept=lambda ms: math.exp(-ms * 1e-3))
+             drag_rate=0.12, position=[4.0, 5.0, 6.0], is_noisy=False, gust_kept=lambda ms: math.exp(-ms * 1e-3))
 CLAIMS = [types.SimpleNamespace(law=tube_geometric, velocity=[3.0, 4.0, 5.0], **KNOWN),
           types.SimpleNamespace(law=tube_cascade, position_period=10, velocity=types.SimpleNamespace(p=[3.0, 4.0, 5.0], i=[1.0, 1.0, 1.0], d=[0.1, 0.1, 0.1]),
                                 **KNOWN)]
@@ -73,8 +73,9 @@ def look_at(claim):
     # What disturbs changes slowly, and by a little at random.
     slowly = lambda shape: chance.normal(size=shape) * (1 + 0.3 * np.sin(np.arange(PERIODS) / 50).reshape(-1, *[1] * len(shape)))
     a_little = lambda shape: 1 + 0.02 * chance.normal(size=(PERIODS, *shape))
-    kinds = [np.tile(slowly((changing, 3)), width // 3) for width in claim.law.named(claim.period)]
-    named = np.concatenate(kinds, axis=2) * a_little((changing, sum(claim.law.named(claim.period)))) * 1e-4
+    by_chance = lambda shape: chance.normal(size=(PERIODS, *shape))  # what noise does, but alike within a period
+    kinds = [np.tile((by_chance if claim.is_noisy else slowly)((changing, 3)), width // 3) for width in claim.law.named(claim)]
+    named = np.concatenate(kinds, axis=2) * a_little((changing, sum(claim.law.named(claim)))) * 1e-4
     box = np.abs(slowly((changing,)) * a_little((changing,))) * 1e-4
     whole = PERIODS if claim.law is tube_geometric else 40 * BLOCK
     for part, periods in (((), whole), ((3,), 10 * BLOCK)):
@@ -100,7 +101,7 @@ def look_at(claim):
                     ratios.append((bounds[j] / np.maximum(exact, 1e-9)).max())
             deviations.end(bounds[-1, :changing])
         assert max(ratios) < 1.1, ratios
-        print(f"{claim.law.__name__}, cell {part}: bounds are at most {max(ratios):.3f} times the worst there is")
+        print(f"{claim.law.__name__}{', noise' if claim.is_noisy else ''}, cell {part}: bounds are at most {max(ratios):.3f} times the worst there is")
 
 
 def few_columns_hold_many():
@@ -123,3 +124,4 @@ def few_columns_hold_many():
 few_columns_hold_many()
 for one in CLAIMS:
     look_at(one)
+    look_at(types.SimpleNamespace(**{**vars(one), "is_noisy": True}))

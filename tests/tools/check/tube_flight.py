@@ -155,8 +155,25 @@ class Quadrotor:
         return out
 
 
-def fly(claim, track, wind, factors, periods, gusts=None, off=((0, 0, 0), (0, 0, 0))):
-    """The states at the starts of so many periods and one more, and the positions then, of a flight. `gusts` has those of each step.
+def read(s, noise):
+    """The state as sensors have it. Noise of place, velocity, attitude and rates: the true attitude is turned by the quaternion (1, attitude / 2)."""
+    place, velocity, turn, rates = noise
+    (w, x, y, z), (a, b, c) = s[6:10], [t / 2 for t in turn]
+    q = [w - x * a - y * b - z * c, x + w * a + y * c - z * b, y + w * b + z * a - x * c, z + w * c + x * b - y * a]
+    size = math.sqrt(sum(v * v for v in q))
+    return [*(a + b for a, b in zip(s[:6], [*place, *velocity])), *(v / size for v in q), *(a + b for a, b in zip(s[10:13], rates)), *s[13:]]
+
+
+def command(controller, n, s, reference, noise=None):
+    """The motors' commands in a step, of readings with noise."""
+    if noise is None:
+        return controller.command(n, s, reference)
+    controller.misread = list(noise[3])
+    return controller.command(n, read(s, noise), reference)
+
+
+def fly(claim, track, wind, factors, periods, gusts=None, off=((0, 0, 0), (0, 0, 0)), noise=None):
+    """The states at the starts of so many periods and one more, and the positions then, of a flight. `gusts` and `noise` have those of each step.
 
     It starts level on the first reference, claim.before steps before the trajectory; `off`: how far from there, and at what velocity.
     """
@@ -175,4 +192,4 @@ def fly(claim, track, wind, factors, periods, gusts=None, off=((0, 0, 0), (0, 0,
             return np.array(states), np.array(places)
         if gusts is not None:
             quadrotor.wind = [w + g for w, g in zip(wind, gusts[n])]
-        s = quadrotor.stepped(s, controller.command(n, s, reference))
+        s = quadrotor.stepped(s, command(controller, n, s, reference, noise and noise[n]))

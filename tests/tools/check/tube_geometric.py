@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from tube_flight import FILTER_SHARE, GRAVITY, STEP, Rows, attitude_along, body_axes, motors_for, rates_along
-from tube_models import cosine, cross, dot, inverse, minus, plus, scaled, sine, times
+from tube_models import ROUNDING, cosine, cross, dot, inverse, minus, plus, scaled, sine, times
 from tube_period import Body, Frame, FrameChange, Plant, motor_limits
 
 ROWS = Rows(lift=3, velocity=3, lag=3, heading=1, rates=3, spin=3, filtered=3, turned=3)
@@ -13,9 +13,9 @@ SPINS = slice(ROWS.spin, ROWS.turned)  # angular accelerations
 WHOLE = 0.2  # s of which all is kept, before it grows old
 
 
-def named(period):
-    """Errors that a period names, in groups of three kinds each: those of the torques."""
-    return [3 * period]
+def named(claim):
+    """Errors that a period names, in groups of three kinds each: those of the torques, and with noise that of the lift."""
+    return [3 * claim.period, *[3] * claim.is_noisy]
 
 
 def order(claim):
@@ -42,6 +42,7 @@ class Controller:
     def __init__(self, claim):
         self.claim = claim
         self.filtered, self.last_rates = [0.0] * 3, [0.0] * 3
+        self.misread = [0.0] * 3  # noise of the last rates
 
     def look(self, s, reference):
         """The attitude loop runs."""
@@ -79,8 +80,10 @@ class Controller:
         size = math.sqrt(dot(self.lift, self.lift))
         lag = [-force * seen[2][0], -force * seen[2][1], size - force * seen[2][2]]
         torque = quadrotor.torque(s[13:17])
+        last_rates = minus(self.last_rates, self.misread)
+        filtered = [f - FILTER_SHARE / (1 - FILTER_SHARE) / STEP * n for f, n in zip(self.filtered, self.misread)]
         return [*self.lift, *s[3:6], *lag, math.atan2(seen[0][1], seen[0][0]), *s[10:13],
-                *(torque[i] / claim.inertia[i] for i in range(3)), *self.filtered, *(s[10 + i] - self.last_rates[i] for i in range(3))]
+                *(torque[i] / claim.inertia[i] for i in range(3)), *filtered, *(s[10 + i] - last_rates[i] for i in range(3))]
 
 
 class Period(Plant):
@@ -108,32 +111,61 @@ class Period(Plant):
         lacks = self.lag * body.missing
         return Body(**parts, lag=[-(lacks * frame.z[i]) - frame.size * z[i] for i in range(3)], missing=-lacks)
 
-    def attitude_error(self, frame):
-        dx = [1.0 - frame.x[0], -frame.x[1], -frame.x[2]]
-        dz = [-frame.z[0], -frame.z[1], 1.0 - frame.z[2]]
-        second, shrink, lag = cross(dz, dx), inverse(self.wanted.size), self.body.lag
-        return [shrink * dot(frame.y, lag) - 0.5 * dot(frame.z, second), -(shrink * dot(frame.x, lag)) - 0.5 * dot(dz, dx),
-                0.5 * dot(frame.x, second) - frame.y[0]]
+    def attitude_error(self, seen, high_x, high_y):
+        """Of the axes that are seen, and how high x and y are in the wanted frame."""
+        dx = [1.0 - seen.x[0], -seen.x[1], -seen.x[2]]
+        dz = [-seen.z[0], -seen.z[1], 1.0 - seen.z[2]]
+        second = cross(dz, dx)
+        return [high_y - 0.5 * dot(seen.z, second), -high_x - 0.5 * dot(dz, dx), 0.5 * dot(seen.x, second) - seen.y[0]]
 
     def command(self, millisecond):
         """What thrust and torque the motors are told; the second-order terms of the torque become symbols."""
         claim, body = self.claim, self.body
-        frame = self.frame(body)
-        error = self.attitude_error(frame)
-        follow = [dot(axis, self.wanted_rates) for axis in (frame.x, frame.y, frame.z)]
+        seen = frame = self.frame(body)
+        shrink = inverse(self.wanted.size)
+        high_x, high_y = shrink * dot(frame.x, body.lag), shrink * dot(frame.y, body.lag)
         self.filtered = [(1 - FILTER_SHARE) * f + (FILTER_SHARE / STEP) * t for f, t in zip(self.filtered, body.turned)]
         body.turned = [self.zero() for _ in range(3)]
         body.missing = dot(body.lag, frame.z)
-        turn, carried = self.gyroscopic(body.rates), cross(body.rates, follow)
+        rates, filtered = body.rates, self.filtered
+        if claim.is_noisy:
+            noise = self.any_three(claim.rate_noise)
+            rates, filtered = plus(rates, noise), plus(filtered, times(FILTER_SHARE / STEP, noise))
+            seen, off = self.read(frame)
+            high_x, high_y = high_x + off[0][2], high_y + off[1][2]
+            body.missing = body.missing + self.wanted.size * off[2][2]
+        error = self.attitude_error(seen, high_x, high_y)
+        follow = [dot(axis, self.wanted_rates) for axis in (seen.x, seen.y, seen.z)]
+        turn, carried = self.gyroscopic(rates), cross(rates, follow)
         self.asked = []
         for i in range(3):
-            spin = turn[i] - claim.attitude[i] * error[i] - claim.rates[i] * (body.rates[i] - follow[i]) - claim.lead[i] * self.filtered[i]
+            spin = turn[i] - claim.attitude[i] * error[i] - claim.rates[i] * (rates[i] - follow[i]) - claim.lead[i] * filtered[i]
             self.asked.append(self.named(spin - carried[i], 3 * millisecond + i))
-        self.commands.append(self.motors(self.wanted.size * frame.z[2]))
+        if claim.is_noisy:
+            self.take_back(noise, millisecond)
+        self.commands.append(self.motors(self.wanted.size * seen.z[2]))
+
+    def take_back(self, noise, millisecond):
+        """What the next reading takes of this noise out of the low pass: a share of what it put in. What stays then is smaller, and so this is more."""
+        claim, more = self.claim, FILTER_SHARE * FILTER_SHARE / (1 - FILTER_SHARE) / STEP
+        for i in range(3):
+            gain = claim.rates[i] + FILTER_SHARE / STEP * claim.lead[i]
+            known = self.by_error(noise[i], self.asked[i], gain, 3 * millisecond + i)
+            self.filtered[i] = self.filtered[i] - more * known
+
+    def misread(self):
+        """The lift that is asked for is another one: of a place and a velocity with noise. Returns by how much."""
+        claim, yaw = self.claim, self.reference(0)[4]
+        sizes = [claim.position[i] * claim.place_noise + claim.velocity[i] * claim.velocity_noise for i in range(3)]
+        more = [self.named(self.within(size * (1 + ROUNDING)), 3 * claim.period + i) for i, size in enumerate(sizes)]
+        self.turn_wanted_frame(more, yaw, yaw)
+        self.want()
+        return more
 
     def run(self):
         claim = self.claim
         self.want()
+        more = self.misread() if claim.is_noisy else None
         for millisecond in range(claim.period):
             self.command(millisecond)
             self.move(millisecond)
@@ -142,14 +174,21 @@ class Period(Plant):
         faster = minus(self.body.velocity, self.velocity)
         change = [claim.position[i] * p[:, i] + claim.velocity[i] * v[:, i] + a[:, i]
                   - (claim.position[i] * self.body.moved[i] + claim.velocity[i] * faster[i]) for i in range(3)]
-        self.after = [*self.changed(change, now[4], then[4]), *self.gust_after()]
+        self.turn_wanted_frame(minus(change, more) if more else change, now[4], then[4])
+        self.after = [*self.changed(), *self.gust_after()]
 
-    def changed(self, change, yaw, next_yaw):
-        """The state up to the gust, when the lift has changed."""
+    def turn_wanted_frame(self, change, yaw, next_yaw):
+        """The lift changes, and so the wanted frame turns."""
         body, turn = self.body, FrameChange(self.wanted, change, yaw, next_yaw)
         lag = plus(body.lag, turn.lift)
-        return [*plus(self.lift, change), *body.velocity, *plus(lag, [dot(d, lag) for d in (turn.x, turn.y, turn.z)]),
-                turn.heading(body.heading, self.frame(body).x), *body.rates, *body.spin, *self.filtered, *body.turned]
+        body.heading = turn.heading(body.heading, self.frame(body).x)
+        body.lag = plus(lag, [dot(d, lag) for d in (turn.x, turn.y, turn.z)])
+        self.lift = plus(self.lift, change)
+
+    def changed(self):
+        """The state up to the gust."""
+        body = self.body
+        return [*self.lift, *body.velocity, *body.lag, body.heading, *body.rates, *body.spin, *self.filtered, *body.turned]
 
     def limits(self):
         return motor_limits(self.claim, self.commands)
@@ -164,4 +203,5 @@ class Start(Period):
         self.body.lag = [self.zero(), self.zero(), self.missing()]
         self.wanted = Frame.along(self.lift, np.sin(yaw), np.cos(yaw))
         change = [-(claim.position[i] * off[i]) - claim.velocity[i] * self.velocity[i] for i in range(3)]
-        self.after = self.changed(change, yaw, yaw)
+        self.turn_wanted_frame(change, yaw, yaw)
+        self.after = self.changed()

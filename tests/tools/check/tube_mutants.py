@@ -8,7 +8,8 @@ import copy
 import random
 
 NOT_NUMBERS = [None, True, "0.1", "NaN", [], {}, [1], float("nan"), float("inf"), float("-inf"), 1e400, 10**400]
-RANGES = ("mass_error", "drag_error", "motor_lag_error", "inertia_error", "start_error", "start_speed")
+RANGES = ("mass_error", "drag_error", "motor_lag_error", "inertia_error", "start_error", "start_speed",
+          "place_noise", "velocity_noise", "attitude_noise", "rate_noise")
 CLIPS = ("position", "velocity", "rates")  # loops of the cascade
 
 
@@ -223,7 +224,11 @@ class Mutants:
 
     def raised(self, record, certificate):
         """Weaker claims, and larger bounds for the same one."""
-        kind, by = self.chance.randrange(4), 1 + 10 ** self.chance.uniform(-4, 0)
+        kind, by = self.chance.randrange(5), 1 + 10 ** self.chance.uniform(-4, 0)
+        if kind == 4:
+            noise = self.chance.choice([name for name in certificate if name.endswith("_noise")])
+            certificate[noise] /= by
+            return f"{noise} divided by {by}", "same"
         if kind == 0:
             certificate["radius"] = [by * r for r in certificate["radius"]]
         elif kind == 1:

@@ -3,6 +3,8 @@
 docs/tube.md derives the equations; verify_tube.py uses what comes out.
 """
 
+import types
+
 import numpy as np
 
 from tube_flight import GRAVITY, STEP
@@ -94,7 +96,7 @@ class Plant:
         """`states`: the nominal ones at the starts, (periods, states). `scales`: the radius of each symbol, those of the gust of the acceleration that
         lift and drag give. `references`: as Track.at() gives them for all steps of the flight."""
         self.claim, self.count, self.rows = claim, len(states), claim.law.ROWS
-        self.symbols = self.rows.states + sum(claim.law.named(claim.period))
+        self.symbols = self.rows.states + sum(claim.law.named(claim))
         self.scales, self.middle = scales, states
         self.references, self.starts = references, starts
         self.commands, self.moved, self.upright = [], [], []
@@ -122,11 +124,41 @@ class Plant:
         out.r = out.r + radius
         return out
 
+    def any_three(self, most):
+        """Three numbers of which nothing is known but their bound."""
+        return [self.within(most * (1 + ROUNDING)) for _ in range(3)]
+
     def named(self, model, symbol):
         """The same with its remainder as a symbol that has not been in use."""
         l = model.l.copy()
         l[self.rows.states + symbol] = model.r
         return Model(model.c, l, np.zeros(self.count))
+
+    def read(self, frame):
+        """The axes of the body's frame as the attitude sensor has them, and how far each is off: they are turned by the quaternion (1, h), divided by
+        its length, where h is half of the noise. So an axis e is off by 2 (h x e + h x (h x e)) / (1 + h . h) in the body's frame."""
+        h = self.any_three(0.5 * self.claim.attitude_noise)
+        share, off = 2.0 * inverse(1.0 + dot(h, h)), []
+        for i in range(3):
+            unit = [1.0 if i == k else 0.0 for k in range(3)]
+            once = cross(h, unit)
+            turned = times(share, plus(once, cross(h, once)))
+            off.append([turned[0] * frame.x[k] + turned[1] * frame.y[k] + turned[2] * frame.z[k] for k in range(3)])
+        seen = [plus(axis, more) for axis, more in zip((frame.x, frame.y, frame.z), off)]
+        return types.SimpleNamespace(x=seen[0], y=seen[1], z=seen[2]), off
+
+    def by_error(self, noise, error, gain, symbol):
+        """Noise that took `gain` times itself from an error, which is a symbol: written by this symbol where it is most of the error. With the error
+        k s = rest - gain noise, the noise is -(k / gain) s + rest / gain."""
+        if not gain:
+            return noise
+        size = error.l[self.rows.states + symbol]
+        rest = np.maximum(size - gain * noise.r, 0.0) + ROUNDING * size
+        tied = rest < gain * noise.r / 4
+        out = self.zero()
+        out.l[self.rows.states + symbol] = np.where(tied, -size / gain, 0.0)
+        out.r = np.where(tied, rest / gain * (1 + ROUNDING) + ROUNDING * size / gain, noise.r)
+        return out
 
     def start(self):
         """What both controllers have in their states."""

@@ -32,6 +32,7 @@ MUTANTS = int(sys.argv[2]) if len(sys.argv) > 2 else 40
 SEED = int(sys.argv[3]) if len(sys.argv) > 3 else 1
 ALONG = (0, 0, 0, 0, 1, 1, 1, 1)
 CHECKERS_ROOM = 1.015 * (1 - 1e-9)  # docs/tube.md
+NOISE = ("place_noise", "velocity_noise", "attitude_noise", "rate_noise")
 RANGES = ("wind_spread", "gust_most", "gust_lag", "mass_error", "start_error", "start_speed", "drag_error", "motor_lag_error", "inertia_error", "settle")
 
 
@@ -80,6 +81,9 @@ def proved_again(record, certificate):
     loops = ("--loop-period", repr(c["attitude_period_ms"] / 1000)) if c.get("position_period_ms") != 10 else ()
     options = ("--vehicle", "changed.json", "--wind", ",".join(map(repr, c["wind"])), "--hover-time", repr(c["hover"]), *loops)
     options += tuple(word for name in RANGES for word in ("--" + name.replace("_", "-"), repr(c[name])))
+    if any(c[name] for name in NOISE):
+        place, velocity, attitude, rates = (c[name] for name in NOISE)
+        options += ("--noise-most", ",".join(map(repr, (place, velocity, math.degrees(attitude), math.degrees(rates)))))
     # For a certificate there may be more cells, and so a narrower tube: what is proved, with CHECKERS_ROOM more.
     for more, room in (((), 1), (("--certificate", "d.jsonl"), CHECKERS_ROOM)):
         fly(record, c["controller"], *options, *more, codes=(0, 1))
@@ -103,6 +107,14 @@ def pushed(chance, claim, steps):
     return out
 
 
+def misread(chance, claim, steps):
+    """Noise of the readings in each step: its bounds, with signs that change at random times, or numbers by chance."""
+    mosts = (claim.place_noise, claim.velocity_noise, claim.attitude_noise, claim.rate_noise)
+    signs = np.cumprod(chance.choice([-1, 1], (steps, 12), p=[0.05, 0.95]), axis=0).reshape(steps, 4, 3)
+    signs = np.where(chance.random((steps, 1, 1)) < 0.9, signs, chance.uniform(-1, 1, (steps, 4, 3)))
+    return (signs * np.array(mosts)[:, None]).tolist()
+
+
 def require_flights_within(record, certificate, flights):
     """Of some flights the deviations are within the bounds of their cell, and the places within the radii."""
     claim, track, chance = Claim(certificate), track_of(record, certificate["frame"]), np.random.default_rng(SEED)
@@ -117,7 +129,8 @@ def require_flights_within(record, certificate, flights):
         away = away / np.linalg.norm(away) * radius[0] if cell.is_ball else np.sign(away) * radius
         other = (np.array(factors) + chance.choice([-1, 1], len(halves)) * halves).tolist()
         off = [size * v / np.linalg.norm(v) for size, v in zip((claim.start_error, claim.start_speed), chance.normal(size=(2, 3)))]
-        states, places = flown(claim, track, (np.array(wind) + away).tolist(), other, periods, pushed(chance, claim, periods * claim.period), off)
+        noise = misread(chance, claim, periods * claim.period) if claim.is_noisy else None
+        states, places = flown(claim, track, (np.array(wind) + away).tolist(), other, periods, pushed(chance, claim, periods * claim.period), off, noise)
         states[0] = nominal[0] if claim.start_error or claim.start_speed else states[0]  # under the cascade seen only once it has run
         bounds = np.repeat(cells[one]["bounds"], cells[one]["periods"], axis=0)[:periods + 1]
         rows = claim.law.ROWS.gust
@@ -179,6 +192,10 @@ cases = [certified(trajectory("along", [[0, 0, 5], [0.06, -0.03, 5.02]], 0.8), *
          certified(trajectory("start", [[0, 0, 5], [0.05, -0.02, 5]], 0.6), *QUAD, "--start-error", "0.0004", "--start-speed", "0.0006"),
          certified(trajectory("cascade start", [[0, 0, 5], [0.06, -0.03, 5.02]], 0.6), *QUAD, "--start-error", "0.02", "--start-speed", "0.02",
                    controller="cascade"),
+         certified(trajectory("noise", [[0, 0, 5], [0.05, -0.02, 5]], 0.6, yaw=0.1), "--vehicle", "crazyflie", "--gust-most", "0.1", "--noise-most",
+                   "0.0002,0.001,0.01,0.05"),
+         certified(trajectory("cascade noise", [[0, 0, 5], [0.06, -0.03, 5.02]], 0.6), "--vehicle", "crazyflie", "--gust-most", "0.1",
+                   "--start-error", "0.003", "--noise-most", "0.0004,0.002,0.02,0.1", controller="cascade"),
          # Long enough for old columns to become boxes, in which the fast coordinates must not grow.
          certified(trajectory("old", [[0, 0, 5], [0.3, 0.2, 5.1]], 4), "--vehicle", "crazyflie", "--mass-error", "0.002", "--drag-error", "0.1")]
 schema = schemas.validators(pathlib.Path(__file__).resolve().parents[3])["tube_certificate"]
@@ -190,18 +207,18 @@ for record, certificate in cases:
     schema.validate(certificate)
 assert len(cases[2][1]["cells"]) > 1, "no case has several cells"
 
-# A wider start than was proved.
+# A wider start or more noise than was proved.
 for record, certificate in cases:
-    for name in ("start_error", "start_speed"):
+    for name in ("start_error", "start_speed", *NOISE):
         if certificate[name]:
             assert outcome(record, {**certificate, name: 1.5 * certificate[name]}) == "refused", (record["id"], name)
 
 require_exit_codes(*cases[0])
 tried, wrong, asked = collections.Counter(), [], collections.Counter()
-streams = [Mutants(SEED * 10 + i).of(*case) for i, case in enumerate(cases[:7])]
+streams = [Mutants(SEED * 10 + i).of(*case) for i, case in enumerate(cases[:9])]
 chance = random.Random(SEED)
 for _ in range(MUTANTS):
-    what, record, certificate, expected = next(chance.choices(streams, (5, 3, 1, 4, 8, 4, 4))[0])
+    what, record, certificate, expected = next(chance.choices(streams, (5, 3, 1, 4, 8, 4, 4, 4, 6))[0])
     found = outcome(record, certificate)
     tried[what.split(":")[0], found] += 1
     if found == "accepted" and expected == "refused":

@@ -139,7 +139,7 @@ class Chunk:
         count, rows, claim = last - first, self.rows, self.claim
         self.maps = np.zeros((count, rows.states, rows.states))
         self.maps[:, rows.wind:, rows.wind:] = np.eye(rows.states - rows.wind)
-        self.named = np.empty((count, rows.wind, sum(claim.law.named(claim.period))))
+        self.named = np.empty((count, rows.wind, sum(claim.law.named(claim))))
         self.box = np.empty((count, rows.wind))
         self.further, self.least = np.zeros(count), np.full(count, np.inf)
         self.limits = []

@@ -30,6 +30,8 @@ TEST(TubeCertificate, SaysForWhatATubeWasProved) {
   ASSERT_FALSE(tube.trouble);
   Disturbances said = kBreeze;  // of ranges that are all different
   said.drag_error = 0.03, said.motor_lag_error = 0.04, said.inertia_error = 0.05;
+  said.place_noise = 0.06, said.velocity_noise = 0.07;
+  said.attitude_noise = 0.08, said.rate_noise = 0.09;
   const std::string line = tube_certificate_line("a", geom::Axes::neu, {options, said}, tube);
   EXPECT_EQ(line.back(), '\n');
   const nlohmann::json out = nlohmann::json::parse(line);
@@ -41,6 +43,10 @@ TEST(TubeCertificate, SaysForWhatATubeWasProved) {
   EXPECT_EQ(out["drag_error"], 0.03);
   EXPECT_EQ(out["motor_lag_error"], 0.04);
   EXPECT_EQ(out["inertia_error"], 0.05);
+  EXPECT_EQ(out["place_noise"], 0.06);
+  EXPECT_EQ(out["velocity_noise"], 0.07);
+  EXPECT_EQ(out["attitude_noise"], 0.08);
+  EXPECT_EQ(out["rate_noise"], 0.09);
   EXPECT_EQ(out["radius"].get<std::vector<double>>(), tube.radius);
   ASSERT_EQ(out["cells"].size(), tube.cells);
   const nlohmann::json& cell = out["cells"][0];
@@ -77,11 +83,11 @@ TEST(TubeCertificate, SaysWhichLimitsACascadeKeeps) {
   for (const auto& span : out["cells"][0]["bounds"]) EXPECT_EQ(span.size(), 34u);
 }
 
-TEST(TubeCertificate, HasRoomForACheckerThatSumsOtherwise) {
+void expect_room_for_a_checker(const Disturbances& d) {
   const ReferenceTrack track(testing::line({0.5, 0.2, 0}, 1.5));
   for (const ControlLaw law : {ControlLaw::geometric, ControlLaw::cascade}) {
-    const ProvedTube plain = prove_tube(track, quad(law), kBreeze, {});
-    const ProvedTube spans = prove_tube(track, quad(law), kBreeze, {}, {.by_spans = true});
+    const ProvedTube plain = prove_tube(track, quad(law), d, {});
+    const ProvedTube spans = prove_tube(track, quad(law), d, {}, {.by_spans = true});
     ASSERT_FALSE(spans.trouble);
     const ProvedTube roomy = with_room(spans);
     ASSERT_EQ(roomy.radius.size(), plain.radius.size());
@@ -94,6 +100,15 @@ TEST(TubeCertificate, HasRoomForACheckerThatSumsOtherwise) {
     EXPECT_EQ(roomy.largest, *std::max_element(roomy.radius.begin(), roomy.radius.end()));
     EXPECT_GT(roomy.tilt, spans.tilt);
   }
+}
+
+TEST(TubeCertificate, HasRoomForACheckerThatSumsOtherwise) { expect_room_for_a_checker(kBreeze); }
+
+TEST(TubeCertificate, HasRoomWithNoiseToo) {
+  Disturbances noisy = kBreeze;
+  noisy.place_noise = 5e-5, noisy.velocity_noise = 2e-4;
+  noisy.attitude_noise = 5e-5, noisy.rate_noise = 3e-4;
+  expect_room_for_a_checker(noisy);
 }
 
 // How far above its hovering command a motor's limit must be for a proof.

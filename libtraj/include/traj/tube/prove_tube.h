@@ -129,8 +129,8 @@ struct TubeOptions {
 // not looked at.
 //
 // Preconditions: at least a millisecond of hovering before, an attitude loop of at most 4 ms, no
-// delay of sensors, positive position gains; for a certificate (`by_spans`) no noise; under the
-// cascade no i and d of the position loop, and velocity gains with p > 0, i >= 0 and d >= 0.
+// delay of sensors, positive position gains; under the cascade no i and d of the position loop, and
+// velocity gains with p > 0, i >= 0 and d >= 0.
 // Disturbances and noise that the simulator draws from a normal distribution have no bound, and no
 // claim is made for them.
 //
