@@ -96,7 +96,7 @@ std::string tube_certificate_line(const std::string& id, geom::Axes axes,
   line.add("wind", d.wind).add("wind_spread", d.wind_spread).add("gust_most", d.gust_most);
   line.add("gust_lag", d.gust_lag).add("mass_error", d.mass_error);
   line.add("drag_error", d.drag_error).add("motor_lag_error", d.motor_lag_error);
-  line.add("inertia_error", d.inertia_error);
+  line.add("inertia_error", d.inertia_error).add("gain_error", d.gain_error);
   line.add("start_error", d.start_error).add("start_speed", d.start_speed);
   line.add("place_noise", d.place_noise).add("velocity_noise", d.velocity_noise);
   line.add("attitude_noise", d.attitude_noise).add("rate_noise", d.rate_noise);

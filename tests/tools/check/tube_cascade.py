@@ -1,5 +1,6 @@
 """The cascade of position, velocity, attitude and body rates, as in PX4: its state, a flight's commands, and a period of its loop in Taylor models."""
 
+import copy
 import math
 
 import numpy as np
@@ -15,6 +16,7 @@ VELOCITY_FILTER = 1 / (2 * 3.141592653589793 * 5)  # s, of the velocity loop's d
 YAW_WEIGHT = 0.4  # of the error about the vertical axis
 LEAST_LIFT = 0.3 * GRAVITY
 SLOWEST = 12.0  # 1/s: modes that die away more slowly are slow
+UP = 1 + 1e-14
 
 
 def named(claim):
@@ -51,6 +53,11 @@ def place_forms(claim):
         forms[i, ROWS.due + i] = 1 / k.of_drift[i]
         forms[i] /= -claim.position[i]
     return forms
+
+
+def stretch(claim):
+    """The place may be so many times as far away as those forms say: the position's gain is at least 1 - gain_error times what it should be."""
+    return UP / (1 - claim.gain_error)
 
 
 # ---- What is slow.
@@ -97,18 +104,19 @@ def slow_forms(claim, maps, yaw):
 class Controller:
     """What of it stays from one step to the next."""
 
-    def __init__(self, claim):
-        self.claim, self.gains = claim, LiftGains(claim)
+    def __init__(self, claim, flown=None):
+        """`flown` has its gains, if they differ from those of the claim."""
+        self.claim, self.flown, self.gains = claim, flown or claim, LiftGains(claim)
         self.lift, self.sum, self.slope, self.missed = [0.0, 0.0, GRAVITY], [0.0] * 3, [0.0] * 3, None
         self.integral, self.filtered, self.last_rates = [0.0] * 3, [0.0] * 3, [0.0] * 3
 
     def velocity_error(self, s, reference):
         p, v = reference[:2]
-        return [self.claim.position[i] * (p[i] - s[i]) + self.claim.forward.velocity * v[i] - s[3 + i] for i in range(3)]
+        return [self.flown.position[i] * (p[i] - s[i]) + self.claim.forward.velocity * v[i] - s[3 + i] for i in range(3)]
 
     def follow(self, s, reference):
         """The loops of position and velocity run."""
-        k, period, error = self.claim.velocity, self.gains.period, self.velocity_error(s, reference)
+        k, period, error = self.flown.velocity, self.gains.period, self.velocity_error(s, reference)
         for i in range(3):
             rises = 0.0 if self.missed is None else (error[i] - self.missed[i]) / period
             self.slope[i] += self.gains.share * (rises - self.slope[i])
@@ -133,7 +141,7 @@ class Controller:
         ahead, left = goal[0] / half, -goal[1] / half  # about y and about x
         error = (left * c + ahead * sine_, ahead * c - left * sine_, 2 * half * sine_)
         follow = rates_along(wanted, math.sqrt(dot(self.lift, self.lift)), *reference[3:])
-        self.rates = [self.claim.attitude[i] * error[i] + self.claim.forward.body_rates * follow[i] for i in range(3)]
+        self.rates = [self.flown.attitude[i] * error[i] + self.claim.forward.body_rates * follow[i] for i in range(3)]
 
     def low_passed(self, w):
         return [f + FILTER_SHARE * ((a - b) / STEP - f) for f, a, b in zip(self.filtered, w, self.last_rates)]
@@ -145,7 +153,7 @@ class Controller:
             self.follow(s, reference)
         if n % claim.period == 0:
             self.orient(s, reference)
-        k, inertia = claim.rates, claim.inertia
+        k, inertia = self.flown.rates, claim.inertia
         error = minus(self.rates, w)
         self.filtered, self.last_rates = self.low_passed(w), list(w)
         self.integral = [a + k.i[i] * error[i] * STEP for i, a in enumerate(self.integral)]
@@ -153,16 +161,23 @@ class Controller:
         torque = [inertia[i] * (k.p[i] * error[i] + self.integral[i] - k.d[i] * self.filtered[i]) + turn[i] for i in range(3)]
         return motors_for(claim, claim.mass * math.sqrt(dot(self.lift, self.lift)), torque)
 
+    def lift_of_exact_gains(self):
+        """What the velocity loop would have asked for with the gains of the claim."""
+        k, flown, missed = self.claim.velocity, self.flown.velocity, self.missed or [0.0] * 3
+        sums = [(1 - k.i[i] / flown.i[i]) * a if flown.i[i] else 0.0 for i, a in enumerate(self.sum)]
+        return [a - (flown.p[i] - k.p[i]) * missed[i] - sums[i] - (flown.d[i] - k.d[i]) * self.slope[i] for i, a in enumerate(self.lift)]
+
     def coordinates(self, s, quadrotor, reference):
         """The state as docs/tube.md describes it, up to the gust, before the controller runs."""
         claim, k = self.claim, self.gains
-        wanted, body = attitude_along(self.lift, reference[4]), body_axes(s[6:10])
+        lift = self.lift_of_exact_gains()
+        wanted, body = attitude_along(lift, reference[4]), body_axes(s[6:10])
         x, z = ([dot(axis, b) for axis in wanted] for b in (body[0], body[2]))
-        missing = math.sqrt(dot(self.lift, self.lift)) - sum(s[13:17]) / claim.mass
+        missing = math.sqrt(dot(lift, lift)) - sum(s[13:17]) / claim.mass
         torque, missed = quadrotor.torque(s[13:17]), self.missed or [0.0] * 3
         drift = minus(self.velocity_error(s, reference), missed)
         due = [k.of_drift[i] * drift[i] + k.of_missed[i] * missed[i] - k.of_slope[i] * self.slope[i] for i in range(3)]
-        return [*self.lift, *s[3:6], z[0], z[1], missing, math.atan2(x[1], x[0]), *s[10:13], *(torque[i] / claim.inertia[i] for i in range(3)),
+        return [*lift, *s[3:6], z[0], z[1], missing, math.atan2(x[1], x[0]), *s[10:13], *(torque[i] / claim.inertia[i] for i in range(3)),
                 *self.low_passed(s[10:13]), *self.integral, *missed, *self.slope, *due]
 
 
@@ -180,7 +195,7 @@ class Period(Plant):
         before = (self.starts[0] - 1) // self.claim.position_period * self.claim.position_period - self.starts[0]
         # The reference rests before the controller first runs.
         self.asked_last = np.where(self.starts[:, None] > 0, self.references[2][np.maximum(self.starts + before, 0)], 0.0)
-        self.runs, self.turns = [], []
+        self.runs, self.turns, self.beyond = [], [], None
 
     def want(self, yaw):
         self.wanted = Frame.along(self.lift, np.sin(yaw), np.cos(yaw))
@@ -196,7 +211,8 @@ class Period(Plant):
         thrust = self.wanted.size - body.missing
         sunk = (x * x + y * y) * inverse(1.0 + frame.z[2])
         parts, z = self.motion(body, frame, [-(thrust * x), -(thrust * y), body.missing + thrust * sunk], wind)
-        return Body(**parts, tilt=z[:2], missing=-(self.lag * body.missing))
+        missing = body.missing + self.beyond if self.beyond else body.missing
+        return Body(**parts, tilt=z[:2], missing=-(self.lag * missing))
 
     def turn_wanted_frame(self, change, yaw, next_yaw):
         body, frame = self.body, self.frame(self.body)
@@ -229,19 +245,41 @@ class Period(Plant):
             self.lead = minus(self.lead, scaled(k.of_drift, noise))
             v = plus(v, self.any_three(self.claim.velocity_noise))  # as it is read
         self.want(yaw)
-        acceleration = [self.lift[0], self.lift[1], self.lift[2] - GRAVITY]
-        before = minus(acceleration, scaled(k.of_missed, self.missed))  # with the integral before this run
-        self.runs.append([*plus(self.missed, v), *before, *acceleration, *self.lift])
+        lift = plus(self.lift, self.more_lift()) if self.claim.gain_error else self.lift
+        acceleration = [lift[0], lift[1], lift[2] - GRAVITY]
+        before = minus(acceleration, [self.by_gain(*each) for each in zip(k.of_missed, self.missed)])  # with the integral before this run
+        self.runs.append([*plus(self.missed, v), *before, *acceleration, *lift])
+
+    def more_lift(self):
+        """By how much more lift gains that are off may ask for than exact ones, along each axis: of the error, its derivative, and the integral."""
+        k, forward, out = self.claim.velocity, self.claim.forward.acceleration, []
+        for i in range(3):
+            pushed, damped = k.p[i] * self.missed[i], k.d[i] * self.rises[i]
+            rest = self.lift[i] - forward * self.asked_last[:, i] - (GRAVITY if i == 2 else 0.0) - pushed - damped
+            out.append(self.within(self.claim.gain_error * (pushed.size() + damped.size() + rest.size()) * (1 + ROUNDING)))
+        return out
 
     def misread(self):
         """The noise of the velocity's error in a run of the position loop."""
         claim = self.claim
         first = 6 + 3 * claim.period + 3 * len(self.runs)
-        sizes = [claim.position[i] * claim.place_noise + claim.velocity_noise for i in range(3)]
+        sizes = [claim.position[i] * (1 + claim.gain_error) * claim.place_noise + claim.velocity_noise for i in range(3)]
         return [self.named(self.within(size * (1 + ROUNDING)), first + i) for i, size in enumerate(sizes)]
 
+    def look(self, jerk, yaw, yaw_rate):
+        """The attitude loop runs, by the lift that is asked for."""
+        if not self.claim.gain_error:
+            return self.orient(jerk, yaw_rate)
+        kept, more = (self.body, self.lift, self.wanted), self.more_lift()
+        self.body = copy.copy(self.body)
+        self.turn_wanted_frame(more, yaw, yaw)
+        self.lift = plus(self.lift, more)
+        self.want(yaw)
+        self.orient(jerk, yaw_rate)
+        self.body, self.lift, self.wanted = kept
+
     def orient(self, jerk, yaw_rate):
-        """The attitude loop runs."""
+        """The rates that are wanted."""
         frame, w, forward = self.frame(self.body), self.wanted, self.claim.forward.body_rates
         if self.claim.is_noisy:
             frame, _ = self.read(frame)
@@ -255,7 +293,7 @@ class Period(Plant):
         ahead_x = w.cos * w.x[0] + w.sin * w.x[1]
         leant = shrink * dot(w.left(jerk), w.y)
         follow = [-(shrink * dot(jerk, w.y)), shrink * dot(jerk, w.x), inverse(w.across) * (yaw_rate * ahead_x + leant)]
-        self.wanted_rates = [self.named(self.claim.attitude[i] * error[i] + forward * follow[i], i) for i in range(3)]
+        self.wanted_rates = [self.named(self.by_gain(self.claim.attitude[i], error[i]) + forward * follow[i], i) for i in range(3)]
 
     def command(self, millisecond):
         """What the motors are told; the second-order terms of the torque become symbols."""
@@ -264,16 +302,21 @@ class Period(Plant):
             noise = self.any_three(self.claim.rate_noise)
             rates, filtered = plus(rates, noise), plus(filtered, times(FILTER_SHARE / STEP, noise))
         error = minus(self.wanted_rates, rates)
-        rest = [k.p[i] * error[i] - k.d[i] * filtered[i] for i in range(3)]
+        rest = [self.by_gain(k.p[i], error[i]) - self.by_gain(k.d[i], filtered[i]) for i in range(3)]
         before = plus(rest, self.integral)
-        after = [a + (STEP * k.i[i]) * error[i] for i, a in enumerate(self.integral)]
+        after = [a + self.by_gain(STEP * k.i[i], error[i]) for i, a in enumerate(self.integral)]
         spin = plus(rest, after)
         self.turns.append([*before, *spin])
         self.asked = [self.named(a + b, 3 + 3 * millisecond + i) for i, (a, b) in enumerate(zip(spin, self.gyroscopic(rates)))]
         if self.claim.is_noisy:
             after = self.take_noise(noise, millisecond)
         self.integral = after
-        self.commands.append(self.motors(self.wanted.size))
+        thrust = self.wanted.size
+        if self.claim.gain_error:
+            still = np.zeros(self.count)
+            self.beyond = FrameChange(self.wanted, self.more_lift(), still, still).growth
+            thrust = thrust + self.beyond
+        self.commands.append(self.motors(thrust))
 
     def take_noise(self, noise, millisecond):
         """What the noise of the rates does to what follows. It is written by the torque's error, and the next reading takes a share of it out of the low
@@ -282,7 +325,7 @@ class Period(Plant):
         for i in range(3):
             gain = k.p[i] + STEP * k.i[i] + FILTER_SHARE / STEP * k.d[i]
             known = self.by_error(noise[i], self.asked[i], gain, symbol + i)
-            out.append(self.integral[i] + (STEP * k.i[i]) * (self.wanted_rates[i] - self.body.rates[i] - known))
+            out.append(self.integral[i] + self.by_gain(STEP * k.i[i], self.wanted_rates[i] - self.body.rates[i] - known))
             self.body.turned[i] = self.body.turned[i] - FILTER_SHARE * known
         return out
 
@@ -296,8 +339,8 @@ class Period(Plant):
         now, then = self.reference(millisecond), self.reference(millisecond + 1)
         kp, forward = self.claim.position, self.claim.forward.velocity
         for i in range(3):
-            led = kp[i] * (then[0] - now[0])[:, i] + forward * (then[1] - now[1])[:, i]
-            self.lead[i] = self.lead[i] + self.gains.of_drift[i] * (led - kp[i] * (body.moved[i] - moved[i]))
+            lost = self.by_gain(kp[i], (then[0] - now[0])[:, i] - (body.moved[i] - moved[i]))
+            self.lead[i] = self.lead[i] + self.gains.of_drift[i] * (lost + forward * (then[1] - now[1])[:, i])
 
     def run(self):
         claim = self.claim
@@ -308,7 +351,7 @@ class Period(Plant):
             if (self.starts[0] + millisecond) % claim.position_period == 0:
                 self.follow(millisecond, yaw)
             if millisecond == 0:
-                self.orient(jerk, yaw_rate)
+                self.look(jerk, yaw, yaw_rate)
             self.command(millisecond)
             self.advance(millisecond)
         if np.any(yaw != next_yaw):
@@ -358,7 +401,7 @@ class Start(Period):
         off = self.level()
         body.missing = self.missing()
         self.want(yaw)
-        missed = [-(claim.position[i] * off[i]) - self.velocity[i] for i in range(3)]
+        missed = [-self.by_gain(claim.position[i], off[i]) - self.velocity[i] for i in range(3)]
         change, due = scaled(claim.velocity.p, missed), scaled(self.gains.of_missed, missed)
         self.turn_wanted_frame(change, yaw, yaw)
         self.after = [*plus(self.lift, change), *self.velocity, *body.tilt, body.missing, body.heading, *body.rates, *body.spin, *self.filtered,

@@ -35,7 +35,7 @@ GAINS = ("position", "velocity", "attitude", "rates", "lead")
 CASCADE_GAINS = ("position", "velocity", "attitude", "rates", "feed_forward", "tilt_max")
 NOISE = ("place_noise", "velocity_noise", "attitude_noise", "rate_noise")
 CLAIM = ("type", "id", "frame", "vehicle", "controller", "gains", "attitude_period_ms", "hover", "settle", "wind", "wind_spread", "gust_most", "gust_lag",
-         "mass_error", "drag_error", "motor_lag_error", "inertia_error", "start_error", "start_speed", *NOISE, "period", "tilt", "radius", "cells")
+         "mass_error", "drag_error", "motor_lag_error", "inertia_error", "gain_error", "start_error", "start_speed", *NOISE, "period", "tilt", "radius", "cells")
 
 
 class Pid:
@@ -73,7 +73,7 @@ class Claim:
         self.gust_most = number(c["gust_most"], "gust_most", 0, 1000)
         self.gust_lag = positive(c["gust_lag"], "gust_lag")
         require(self.gust_lag >= 0.001, "gust_lag must be at least 0.001 s")
-        for name in ("mass_error", "drag_error", "motor_lag_error", "inertia_error"):
+        for name in ("mass_error", "drag_error", "motor_lag_error", "inertia_error", "gain_error"):
             setattr(self, name, number(c[name], name, 0, 0.5))
         self.start_error, self.start_speed = (number(c[name], name, 0, 1000) for name in ("start_error", "start_speed"))
         self.place_noise, self.velocity_noise, self.attitude_noise, self.rate_noise = (number(c[name], name, 0, 1000) for name in NOISE)

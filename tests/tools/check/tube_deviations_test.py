@@ -19,7 +19,8 @@ BLOCK = 25
 PERIODS = 100 * BLOCK
 SLOW = [0, 1, 2, 3, 4, 5, 9]  # of the rates of maps_of()
 KNOWN = dict(wind=[1.0, 0.0, 0.0], wind_spread=0.2, mass_error=0.01, drag_error=0.05, motor_lag_error=0.02, inertia_error=0.03, period=4, gust_most=0.5,
-             drag_rate=0.12, position=[4.0, 5.0, 6.0], is_noisy=False, gust_kept=lambda ms: math.exp(-ms * 1e-3))
+             drag_rate=0.12, position=[4.0, 5.0, 6.0], is_noisy=False, gain_error=0.0,
+             gust_kept=lambda ms: math.exp(-ms * 1e-3))
 CLAIMS = [types.SimpleNamespace(law=tube_geometric, velocity=[3.0, 4.0, 5.0], **KNOWN),
           types.SimpleNamespace(law=tube_cascade, position_period=10, velocity=types.SimpleNamespace(p=[3.0, 4.0, 5.0], i=[1.0, 1.0, 1.0], d=[0.1, 0.1, 0.1]),
                                 **KNOWN)]

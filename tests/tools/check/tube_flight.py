@@ -3,6 +3,7 @@
 verify_tube.py flies the middle of each cell with this. docs/tube.md names the equations; tube_geometric.py and tube_cascade.py have the controllers.
 """
 
+import copy
 import math
 
 import numpy as np
@@ -172,15 +173,32 @@ def command(controller, n, s, reference, noise=None):
     return controller.command(n, read(s, noise), reference)
 
 
-def fly(claim, track, wind, factors, periods, gusts=None, off=((0, 0, 0), (0, 0, 0)), noise=None):
+def with_gains_off(claim, chance):
+    """The claim with gains as far off as it allows, by chance."""
+    def off(gains):
+        if isinstance(gains, list):
+            return [k * (1 + claim.gain_error * chance.choice([-1, 1])) for k in gains]
+        out = copy.copy(gains)
+        out.p, out.i, out.d = off(gains.p), off(gains.i), off(gains.d)
+        return out
+
+    out = copy.copy(claim)
+    for name in ("position", "velocity", "attitude", "rates", "lead"):
+        if hasattr(claim, name):
+            setattr(out, name, off(getattr(claim, name)))
+    return out
+
+
+def fly(claim, track, wind, factors, periods, gusts=None, off=((0, 0, 0), (0, 0, 0)), noise=None, gains=None):
     """The states at the starts of so many periods and one more, and the positions then, of a flight. `gusts` and `noise` have those of each step.
 
-    It starts level on the first reference, claim.before steps before the trajectory; `off`: how far from there, and at what velocity.
+    It starts level on the first reference, claim.before steps before the trajectory; `off`: how far from there, and at what velocity. `gains`, if they
+    differ from those of the claim.
     """
     references = [r.tolist() for r in track.at(-claim.before, -claim.before + periods * claim.period)]
     first = track.at(-1, -1)
     yaw = float(first[4][0])
-    quadrotor, controller = Quadrotor(claim, factors, wind), claim.law.Controller(claim)
+    quadrotor, controller = Quadrotor(claim, factors, wind), claim.law.Controller(claim, gains)
     s = [*(first[0][0] + off[0]).tolist(), *map(float, off[1]), math.cos(yaw / 2), 0.0, 0.0, math.sin(yaw / 2), 0.0, 0.0, 0.0, *[quadrotor.mass * GRAVITY / 4] * 4]
     states, places = [], []
     for n in range(periods * claim.period + 1):

@@ -14,8 +14,9 @@ WHOLE = 0.2  # s of which all is kept, before it grows old
 
 
 def named(claim):
-    """Errors that a period names, in groups of three kinds each: those of the torques, and with noise that of the lift."""
-    return [3 * claim.period, *[3] * claim.is_noisy]
+    """Errors that a period names, in groups of three kinds each: those of the torques, and that of a lift that is asked for by noise or gains that are
+    off."""
+    return [3 * claim.period, *[3] * (claim.is_noisy or claim.gain_error > 0)]
 
 
 def order(claim):
@@ -31,6 +32,11 @@ def place_forms(claim):
     return forms
 
 
+def stretch(claim):
+    """The place may be so many times as far away as those forms say."""
+    return 1.0
+
+
 def slow_forms(claim, maps, yaw):
     """What is slow: lift, velocity and heading."""
     return np.eye(ROWS.states)[[0, 1, 2, 3, 4, 5, ROWS.heading]]
@@ -39,24 +45,25 @@ def slow_forms(claim, maps, yaw):
 class Controller:
     """What of it stays from one step to the next."""
 
-    def __init__(self, claim):
-        self.claim = claim
+    def __init__(self, claim, flown=None):
+        """`flown` has its gains, if they differ from those of the claim."""
+        self.claim, self.flown = claim, flown or claim
         self.filtered, self.last_rates = [0.0] * 3, [0.0] * 3
         self.misread = [0.0] * 3  # noise of the last rates
 
-    def look(self, s, reference):
+    def look(self, s, reference, gains):
         """The attitude loop runs."""
         p, v, a, jerk, yaw, yaw_rate = reference
-        kp, kv = self.claim.position, self.claim.velocity
+        kp, kv = gains.position, gains.velocity
         self.lift = [kp[i] * (p[i] - s[i]) + kv[i] * (v[i] - s[3 + i]) + a[i] + (GRAVITY if i == 2 else 0.0) for i in range(3)]
         self.wanted = attitude_along(self.lift, yaw)
         self.rates = rates_along(self.wanted, math.sqrt(dot(self.lift, self.lift)), jerk, yaw, yaw_rate)
 
     def command(self, n, s, reference):
         """The motors' commands in a step, not clipped."""
-        claim, w = self.claim, s[10:13]
+        claim, gains, w = self.claim, self.flown, s[10:13]
         if n % claim.period == 0:
-            self.look(s, reference)
+            self.look(s, reference, gains)
         body = body_axes(s[6:10])
         towards = [[dot(b, a) for a in self.wanted] for b in body]  # body . wanted
         error = [0.5 * (dot(self.wanted[j], body[k]) - dot(self.wanted[k], body[j])) for j, k in ((2, 1), (0, 2), (1, 0))]
@@ -64,7 +71,7 @@ class Controller:
         for i in range(3):
             self.filtered[i] += FILTER_SHARE * ((w[i] - self.last_rates[i]) / STEP - self.filtered[i])
         self.last_rates = list(w)
-        spin = [-claim.attitude[i] * error[i] - claim.rates[i] * (w[i] - follow[i]) - claim.lead[i] * self.filtered[i] for i in range(3)]
+        spin = [-gains.attitude[i] * error[i] - gains.rates[i] * (w[i] - follow[i]) - gains.lead[i] * self.filtered[i] for i in range(3)]
         inertia = claim.inertia
         turn, carried = cross(w, scaled(inertia, w)), cross(w, follow)
         torque = [inertia[i] * (spin[i] - carried[i]) + turn[i] for i in range(3)]
@@ -73,7 +80,7 @@ class Controller:
     def coordinates(self, s, quadrotor, reference):
         """The state as docs/tube.md describes it, up to the gust, when the attitude loop has run."""
         claim = self.claim
-        self.look(s, reference)
+        self.look(s, reference, claim)
         body = body_axes(s[6:10])
         force = sum(s[13:17]) / claim.mass
         seen = [[dot(axis, b) for axis in self.wanted] for b in body]  # each axis of the body in the wanted frame
@@ -139,7 +146,8 @@ class Period(Plant):
         turn, carried = self.gyroscopic(rates), cross(rates, follow)
         self.asked = []
         for i in range(3):
-            spin = turn[i] - claim.attitude[i] * error[i] - claim.rates[i] * (rates[i] - follow[i]) - claim.lead[i] * filtered[i]
+            pulled, damped = self.by_gain(claim.attitude[i], error[i]), self.by_gain(claim.rates[i], rates[i] - follow[i])
+            spin = turn[i] - pulled - damped - self.by_gain(claim.lead[i], filtered[i])
             self.asked.append(self.named(spin - carried[i], 3 * millisecond + i))
         if claim.is_noisy:
             self.take_back(noise, millisecond)
@@ -154,10 +162,14 @@ class Period(Plant):
             self.filtered[i] = self.filtered[i] - more * known
 
     def misread(self):
-        """The lift that is asked for is another one: of a place and a velocity with noise. Returns by how much."""
-        claim, yaw = self.claim, self.reference(0)[4]
-        sizes = [claim.position[i] * claim.place_noise + claim.velocity[i] * claim.velocity_noise for i in range(3)]
-        more = [self.named(self.within(size * (1 + ROUNDING)), 3 * claim.period + i) for i, size in enumerate(sizes)]
+        """The lift that is asked for is another one: of a place and a velocity with noise, by gains that are off. Returns by how much."""
+        claim, (_, v, a, _, yaw, _), more = self.claim, self.reference(0), []
+        for i in range(3):
+            misplaced, mistimed = claim.position[i] * claim.place_noise, claim.velocity[i] * claim.velocity_noise
+            damped = claim.velocity[i] * (v[:, i] - self.velocity[i])
+            pulled = self.lift[i] - a[:, i] - (GRAVITY if i == 2 else 0.0) - damped  # kp (p_r - p)
+            size = misplaced + mistimed + claim.gain_error * (pulled.size() + misplaced + damped.size() + mistimed)
+            more.append(self.named(self.within(size * (1 + ROUNDING)), 3 * claim.period + i))
         self.turn_wanted_frame(more, yaw, yaw)
         self.want()
         return more
@@ -165,7 +177,7 @@ class Period(Plant):
     def run(self):
         claim = self.claim
         self.want()
-        more = self.misread() if claim.is_noisy else None
+        more = self.misread() if claim.is_noisy or claim.gain_error else None
         for millisecond in range(claim.period):
             self.command(millisecond)
             self.move(millisecond)

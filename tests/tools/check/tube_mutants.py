@@ -8,7 +8,7 @@ import copy
 import random
 
 NOT_NUMBERS = [None, True, "0.1", "NaN", [], {}, [1], float("nan"), float("inf"), float("-inf"), 1e400, 10**400]
-RANGES = ("mass_error", "drag_error", "motor_lag_error", "inertia_error", "start_error", "start_speed",
+RANGES = ("mass_error", "drag_error", "motor_lag_error", "inertia_error", "gain_error", "start_error", "start_speed",
           "place_noise", "velocity_noise", "attitude_noise", "rate_noise")
 CLIPS = ("position", "velocity", "rates")  # loops of the cascade
 

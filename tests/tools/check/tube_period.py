@@ -124,6 +124,13 @@ class Plant:
         out.r = out.r + radius
         return out
 
+    def by_gain(self, gain, error):
+        """What a loop asks for. The gain may be off."""
+        out = gain * error
+        if not self.claim.gain_error:
+            return out
+        return Model(out.c, out.l, out.r + self.claim.gain_error * (1 + 2 * ROUNDING) * out.size())
+
     def any_three(self, most):
         """Three numbers of which nothing is known but their bound."""
         return [self.within(most * (1 + ROUNDING)) for _ in range(3)]

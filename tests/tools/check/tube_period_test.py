@@ -1,7 +1,7 @@
 """tube_period_test.py: periods of verify_tube.py hold what a quadrotor does by its own equations, from anywhere within their bounds.
 
-Random states off the nominal flight are flown for one period with a quaternion (tube_flight.py), in random gusts, with exact readings and with noise by
-chance. What they come to, what the motors
+Random states off the nominal flight are flown for one period with a quaternion (tube_flight.py), in random gusts, with exact readings and gains, and
+with noise and gains by chance. What they come to, what the motors
 are told on the way, how far they move and how they tilt must be within the Taylor models of that period (tube_geometric.py, tube_cascade.py).
 Nearly all of each remainder may be used up, so some must come near.
 """
@@ -13,7 +13,7 @@ import numpy as np
 
 import tube_cascade
 import tube_geometric
-from tube_flight import FILTER_SHARE, GRAVITY, STEP, Quadrotor, Track, attitude_along, body_axes, command, fly
+from tube_flight import FILTER_SHARE, GRAVITY, STEP, Quadrotor, Track, attitude_along, body_axes, command, fly, with_gains_off
 from tube_models import dot
 from tube_period import groups
 
@@ -50,29 +50,32 @@ def quaternion(axes):
     return [w, (y[2] - z[1]) / (4 * w), (z[0] - x[2]) / (4 * w), (x[1] - y[0]) / (4 * w)]
 
 
-def geometric(claim, e, reference, asked):
+def geometric(claim, gains, e, reference, asked):
     """A controller in the state with these coordinates, the place, and the thrust over mass as the wanted frame sees it."""
     p, v, a, *_ = reference
     lift, lag = list(e[:3]), e[6:9]
     place = [p[i] - (lift[i] - a[i] - (GRAVITY if i == 2 else 0) - claim.velocity[i] * (v[i] - e[3 + i])) / claim.position[i] for i in range(3)]
-    controller = tube_geometric.Controller(claim)
+    controller = tube_geometric.Controller(claim, gains)
     controller.filtered = list(e[16:19])
     controller.last_rates = [e[10 + i] - e[19 + i] for i in range(3)]
     return controller, lift, place, [-lag[0], -lag[1], math.sqrt(dot(lift, lift)) - lag[2]]
 
 
-def cascade(claim, e, reference, asked):
+def cascade(claim, gains, e, reference, asked):
     rows, k = tube_cascade.ROWS, tube_cascade.LiftGains(claim)
     p, v, *_ = reference
     lift, velocity, missed, slope, due = (list(e[row:row + 3]) for row in (rows.lift, rows.velocity, rows.missed, rows.slope, rows.due))
     place = []
     for i in range(3):
         error = missed[i] + (due[i] - k.of_missed[i] * missed[i] + k.of_slope[i] * slope[i]) / k.of_drift[i]
-        place.append(p[i] - (error + velocity[i] - claim.forward.velocity * v[i]) / claim.position[i])
-    controller = tube_cascade.Controller(claim)
-    controller.lift, controller.missed, controller.slope = lift, missed, slope
-    controller.sum = [lift[i] - (GRAVITY if i == 2 else 0) - claim.velocity.p[i] * missed[i] - claim.velocity.d[i] * slope[i]
-                      - claim.forward.acceleration * asked[i] for i in range(3)]
+        place.append(p[i] - (error + velocity[i] - claim.forward.velocity * v[i]) / gains.position[i])
+    controller = tube_cascade.Controller(claim, gains)
+    controller.missed, controller.slope = missed, slope
+    forward = [claim.forward.acceleration * asked[i] + (GRAVITY if i == 2 else 0) for i in range(3)]
+    of_errors = lambda k: [k.p[i] * missed[i] + k.d[i] * slope[i] for i in range(3)]
+    sums = [lift[i] - forward[i] - asks for i, asks in enumerate(of_errors(claim.velocity))]
+    controller.sum = [sums[i] * gains.velocity.i[i] / claim.velocity.i[i] for i in range(3)]
+    controller.lift = [forward[i] + asks + controller.sum[i] for i, asks in enumerate(of_errors(gains.velocity))]
     controller.integral = list(e[rows.integral:rows.integral + 3])
     controller.last_rates = list(e[rows.rates:rows.rates + 3])
     controller.filtered = [f / (1 - FILTER_SHARE) for f in e[rows.filtered:rows.filtered + 3]]
@@ -81,10 +84,10 @@ def cascade(claim, e, reference, asked):
     return controller, lift, place, [thrust * x, thrust * y, thrust * math.sqrt(1 - x * x - y * y)]
 
 
-def own_state(claim, e, reference, asked):
+def own_state(claim, gains, e, reference, asked):
     """Quadrotor and controller in the state with these coordinates."""
     rows = claim.law.ROWS
-    controller, lift, place, force = (geometric if claim.law is tube_geometric else cascade)(claim, e, reference, asked)
+    controller, lift, place, force = (geometric if claim.law is tube_geometric else cascade)(claim, gains, e, reference, asked)
     wanted = attitude_along(lift, reference[4])
     seen = attitude_along(force, e[rows.heading])
     body = [[sum(axis[k] * wanted[k][i] for k in range(3)) for i in range(3)] for axis in seen]
@@ -101,7 +104,7 @@ def flown(claim, chance, e, gust, references, k):
     first = k * claim.period
     reference = lambda n: [r[n].tolist() if r.ndim == 2 else float(r[n]) for r in references]
     asked = reference((first - 1) // claim.position_period * claim.position_period)[2] if first else [0.0] * 3
-    s, quadrotor, controller = own_state(claim, e, reference(first), asked)
+    s, quadrotor, controller = own_state(claim, with_gains_off(claim, chance), e, reference(first), asked)
     start, wind, towards = s[:3], list(quadrotor.wind), chance.normal(size=3)
     towards *= claim.gust_most / np.linalg.norm(towards)
     any_three = lambda most: (most * chance.choice([-1, 1], 3) * chance.choice([1, 1, 0.3], 3)).tolist()
@@ -126,8 +129,8 @@ def within(model, value, k, symbols, what):
     return off / (room + 1e-9)
 
 
-def look_at(name, readings, position_period=10):
-    claim = types.SimpleNamespace(**{**vars(CLAIMS[name]), **readings, "position_period": position_period})
+def look_at(name, readings, position_period=10, gain_error=0.0):
+    claim = types.SimpleNamespace(**{**vars(CLAIMS[name]), **readings, "position_period": position_period, "gain_error": gain_error})
     sizes, chance = np.array(SIZES[name]), np.random.default_rng(3)
     rows = claim.law.ROWS
     along = lambda a, b, shape=(0, 0, 0, 0.25, 0.75, 1, 1, 1): [a + u * (b - a) for u in shape]
@@ -160,12 +163,14 @@ def look_at(name, readings, position_period=10):
             off = np.abs(np.array([period.after[i].c[n] for i in range(rows.gust)]) - states[periods[n] + 1, :rows.gust]) if periods[n] < PERIODS else 0
             assert np.all(off <= 1e-7), (periods[n], off)
     assert used.max() > 0.3, used
-    told = "noise" if claim.is_noisy else "exact readings"
+    told = ("noise" if claim.is_noisy else "exact readings") + f", gains {100 * gain_error} % off"
     print(f"{name}, {told}, {position_period} ms: {8 * PERIODS} periods from anywhere within their bounds: at most {used.max():.2f} of a remainder was used; by row", np.round(used, 2))
 
 
 for name in CLAIMS:
     look_at(name, noise(0))
+    look_at(name, noise(0), gain_error=0.03)
+    look_at(name, noise(0.1), gain_error=0.1)
 look_at("geometric", noise(0.2))
 look_at("cascade", noise(0.3))
 look_at("cascade", noise(0.1), 3)  # some periods have two runs of the position loop

@@ -19,7 +19,7 @@ import numpy as np
 from tool_runs import read, tool, write
 from tube_claim import Cell, Claim, track_of
 from tube_deviations import rows_of
-from tube_flight import STEP
+from tube_flight import STEP, with_gains_off
 from tube_flight import fly as flown
 from tube_mutants import Mutants
 from verify_certificate import Refused, strict_json
@@ -33,7 +33,8 @@ SEED = int(sys.argv[3]) if len(sys.argv) > 3 else 1
 ALONG = (0, 0, 0, 0, 1, 1, 1, 1)
 CHECKERS_ROOM = 1.015 * (1 - 1e-9)  # docs/tube.md
 NOISE = ("place_noise", "velocity_noise", "attitude_noise", "rate_noise")
-RANGES = ("wind_spread", "gust_most", "gust_lag", "mass_error", "start_error", "start_speed", "drag_error", "motor_lag_error", "inertia_error", "settle")
+RANGES = ("wind_spread", "gust_most", "gust_lag", "mass_error", "start_error", "start_speed", "drag_error", "motor_lag_error", "inertia_error", "gain_error",
+          "settle")
 
 
 def trajectory(name, places, seconds, yaw=None, frame="enu"):
@@ -130,7 +131,8 @@ def require_flights_within(record, certificate, flights):
         other = (np.array(factors) + chance.choice([-1, 1], len(halves)) * halves).tolist()
         off = [size * v / np.linalg.norm(v) for size, v in zip((claim.start_error, claim.start_speed), chance.normal(size=(2, 3)))]
         noise = misread(chance, claim, periods * claim.period) if claim.is_noisy else None
-        states, places = flown(claim, track, (np.array(wind) + away).tolist(), other, periods, pushed(chance, claim, periods * claim.period), off, noise)
+        states, places = flown(claim, track, (np.array(wind) + away).tolist(), other, periods, pushed(chance, claim, periods * claim.period), off, noise,
+                               with_gains_off(claim, chance))
         states[0] = nominal[0] if claim.start_error or claim.start_speed else states[0]  # under the cascade seen only once it has run
         bounds = np.repeat(cells[one]["bounds"], cells[one]["periods"], axis=0)[:periods + 1]
         rows = claim.law.ROWS.gust
@@ -196,6 +198,8 @@ cases = [certified(trajectory("along", [[0, 0, 5], [0.06, -0.03, 5.02]], 0.8), *
                    "0.0002,0.001,0.01,0.05"),
          certified(trajectory("cascade noise", [[0, 0, 5], [0.06, -0.03, 5.02]], 0.6), "--vehicle", "crazyflie", "--gust-most", "0.1",
                    "--start-error", "0.003", "--noise-most", "0.0004,0.002,0.02,0.1", controller="cascade"),
+         certified(trajectory("gains", [[0, 0, 5], [0.05, -0.02, 5]], 0.6), "--vehicle", "crazyflie", "--gust-most", "0.1", "--gain-error", "0.03"),
+         certified(trajectory("cascade gains", [[0, 0, 5], [0.06, -0.03, 5.02]], 0.6), *QUAD, "--gain-error", "0.01", controller="cascade"),
          # Long enough for old columns to become boxes, in which the fast coordinates must not grow.
          certified(trajectory("old", [[0, 0, 5], [0.3, 0.2, 5.1]], 4), "--vehicle", "crazyflie", "--mass-error", "0.002", "--drag-error", "0.1")]
 schema = schemas.validators(pathlib.Path(__file__).resolve().parents[3])["tube_certificate"]
@@ -207,18 +211,18 @@ for record, certificate in cases:
     schema.validate(certificate)
 assert len(cases[2][1]["cells"]) > 1, "no case has several cells"
 
-# A wider start or more noise than was proved.
+# Gains that are further off, a wider start or more noise than was proved.
 for record, certificate in cases:
-    for name in ("start_error", "start_speed", *NOISE):
+    for name in ("gain_error", "start_error", "start_speed", *NOISE):
         if certificate[name]:
             assert outcome(record, {**certificate, name: 1.5 * certificate[name]}) == "refused", (record["id"], name)
 
 require_exit_codes(*cases[0])
 tried, wrong, asked = collections.Counter(), [], collections.Counter()
-streams = [Mutants(SEED * 10 + i).of(*case) for i, case in enumerate(cases[:9])]
+streams = [Mutants(SEED * 10 + i).of(*case) for i, case in enumerate(cases[:11])]
 chance = random.Random(SEED)
 for _ in range(MUTANTS):
-    what, record, certificate, expected = next(chance.choices(streams, (5, 3, 1, 4, 8, 4, 4, 4, 6))[0])
+    what, record, certificate, expected = next(chance.choices(streams, (5, 3, 1, 4, 8, 4, 4, 4, 6, 4, 6))[0])
     found = outcome(record, certificate)
     tried[what.split(":")[0], found] += 1
     if found == "accepted" and expected == "refused":

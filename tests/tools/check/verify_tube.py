@@ -119,7 +119,7 @@ class CellProof:
             if step + claim.period <= 0:
                 continue
             place = self.references[0][(first + j) * claim.period]
-            radius = math.dist(self.places[first + j], place) + reach[j] + further[j] + SLACK
+            radius = claim.law.stretch(claim) * (math.dist(self.places[first + j], place) + reach[j]) + further[j] + SLACK
             for k in range(max(step, 0) // 100, (step + claim.period - 1) // 100 + 1):
                 claimed = claim.radius[min(k, len(claim.radius) - 1)]
                 require(radius <= claimed, f"at {step * STEP:.3f} s it may be {radius:.6g} m off, claimed {claimed:.6g} m")

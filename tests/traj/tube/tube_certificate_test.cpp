@@ -30,6 +30,7 @@ TEST(TubeCertificate, SaysForWhatATubeWasProved) {
   ASSERT_FALSE(tube.trouble);
   Disturbances said = kBreeze;  // of ranges that are all different
   said.drag_error = 0.03, said.motor_lag_error = 0.04, said.inertia_error = 0.05;
+  said.gain_error = 0.055;
   said.place_noise = 0.06, said.velocity_noise = 0.07;
   said.attitude_noise = 0.08, said.rate_noise = 0.09;
   const std::string line = tube_certificate_line("a", geom::Axes::neu, {options, said}, tube);
@@ -43,6 +44,7 @@ TEST(TubeCertificate, SaysForWhatATubeWasProved) {
   EXPECT_EQ(out["drag_error"], 0.03);
   EXPECT_EQ(out["motor_lag_error"], 0.04);
   EXPECT_EQ(out["inertia_error"], 0.05);
+  EXPECT_EQ(out["gain_error"], 0.055);
   EXPECT_EQ(out["place_noise"], 0.06);
   EXPECT_EQ(out["velocity_noise"], 0.07);
   EXPECT_EQ(out["attitude_noise"], 0.08);
