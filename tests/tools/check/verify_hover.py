@@ -7,6 +7,7 @@ Exit 0 when there is a record, and every one has a certificate whose largest rad
 usage; 3 when a file cannot be read as what it should be. docs/certificates.md says what is checked, and what is trusted.
 """
 
+import bisect
 import json
 import math
 import multiprocessing
@@ -35,7 +36,7 @@ ROUNDS = 30  # of larger bounds, then there are none
 
 def group_begins(k):
     """Remainders are bounded for some periods at one time: few at first, when much changes from period to period."""
-    return k < 60 or k < 180 and k % 4 == 0 or k % 20 == 0
+    return k < 30 or k < 100 and k % 5 == 0 or k % 20 == 0
 
 
 # ---- Whole numbers.
@@ -150,7 +151,7 @@ class Hover:
             sums.advance()
         self.powers = sums.powers
         begins = [p for p in PHASES if p <= k]
-        self.phases = list(zip(begins, [*begins[1:], None]))
+        self.phases, self.summed = list(zip(begins, [*begins[1:], None])), sorted(self.boxes)
 
     def take(self, sums):
         """What is held, the start and gusts do to each form, and to the place: (distance of the middle and what balls do, what intervals do along each axis)."""
@@ -177,59 +178,60 @@ class Hover:
 
     # What is not.
 
-    def remainders(self, fresh, bounds):
-        """Of each group what remainders do to each form; `fresh` has those of a period in each phase."""
+    def remainders(self, fresh, bounds, forms):
+        """Of each group what remainders do to the first forms; `fresh` has those of a period in each phase."""
         most = self.left([max(column) for column in zip(*bounds)])
         at_start = [m.r[0] for m in self.start] + [0] * (len(fresh[0]) - self.count)
         for begin, end in zip(self.begins, [*self.begins[1:], None]):
-            terms = [(end, begin, at_start)] if end else []
-            for (first, last), box in zip(self.phases, fresh):
-                newest = end - 1 - first if end else begin
-                if newest > 0:
-                    terms.append((newest, max(begin - last, 0) if last else 0, box))
-            rows = [self.lost] * len(self.forms)
-            for newest, oldest, box in terms:
-                rows = [x + swing(one, box) for x, one in zip(rows, self.box_sum(newest, oldest))]
+            terms = [*self.ages(begin, end, fresh), *([(end, begin, at_start)] if end else [])]
+            rows = [self.lost] * forms
+            for oldest, newest, box in terms:
+                rows = [x + swing(one, box) for x, one in zip(rows, self.box_sum(oldest, newest))]
             yield rows if end else [x + swing(row, most) for x, row in zip(rows, self.powers)]
 
-    def box_sum(self, newest, oldest):
-        """For each form, of what was new up to `newest` periods ago, but not up to `oldest`."""
-        above = min(k for k in self.boxes if k >= newest)
-        below = max(k for k in self.boxes if k <= oldest)
-        return [map(sub, a, b) for a, b in zip(self.boxes[above], self.boxes[below])]
+    def ages(self, begin, end, fresh):
+        """For a group: how many periods ago remainders may have been new (`newest` or more, fewer than `oldest`), and the largest there were then."""
+        cuts = {begin - first for first, _ in self.phases} | {end - 1 - first for first, _ in self.phases if end}
+        cuts = sorted(c for c in cuts | {0} if 0 <= c <= (end - 1 if end else begin))
+        for newest, oldest in zip(cuts, cuts[1:]):
+            boxes = [box for (first, last), box in zip(self.phases, fresh)
+                     if (end is None or first <= end - 2 - newest) and (last is None or last > begin - oldest)]
+            yield oldest, newest, [max(column) for column in zip(*boxes)]
+
+    def box_sum(self, oldest, newest):
+        above, below = bisect.bisect_left(self.summed, oldest), bisect.bisect_right(self.summed, newest) - 1
+        return [map(sub, a, b) for a, b in zip(self.boxes[self.summed[above]], self.boxes[self.summed[below]])]
 
     def by_phase(self, groups):
         at = [self.begins.index(first) for first, _ in self.phases]
         return [groups[a:b] for a, b in zip(at, [*at[1:], None])]
 
-    def round(self, bounds):
-        """Of each phase what the forms come to, if the coordinates are within these bounds in all periods before."""
+    def round(self, bounds, forms):
+        """Of each phase what the first forms come to, if the coordinates are within these bounds in all periods before."""
         loop = self.loop
-        after = loop.run([b[:self.count] for b in bounds])
+        after = loop.run(bounds)
         self.lost = 4 * (len(self.places) + 4) * max(loop.of.slack)  # by rounding sums, powers and forms
         fresh = []
         for k, named in enumerate(loop.of.bounds):
             rounding = 4 * loop.of.slack[k] + (3 * sum(self.off) >> BITS) + 8
             slack = [SPIN_SLACK if i in loop.SPINS else SLACK for i in range(self.count)]
             fresh.append([m.r[k] + abs(m.c - c) + s + rounding for m, c, s in zip(after, loop.middle, slack)] + named[loop.named:])
-        self.rest = list(self.remainders(fresh, bounds))
-        return [list(map(max, *rows, rows[0])) for rows in self.by_phase([list(map(add, a, b)) for a, b in zip(self.linear, self.rest)])]
+        self.rest = list(self.remainders(fresh, bounds, forms))
+        return [[max(column) for column in zip(*rows)] for rows in self.by_phase([list(map(add, a, b)) for a, b in zip(self.linear, self.rest)])]
 
     def find_bounds(self):
         """Bounds of the coordinates in each phase that hold in a period if they hold in all before."""
-        before = found = [list(map(max, *rows, rows[0])) for rows in self.by_phase(self.linear)]
+        before = found = [[max(column) for column in zip(*rows)][:self.count] for rows in self.by_phase(self.linear)]
         for _ in range(ROUNDS):
             bounds = [[b + b // 50 + max(b - a, 0) // 2 for a, b in zip(*rows)] for rows in zip(before, found)]
-            before, found = bounds, self.round(bounds)
+            before, found = bounds, self.round(bounds, self.count)
             if self.hold(found, bounds):
                 break
         else:
             raise Refused("no bounds of its deviations hold")
-        while True:  # what these bounds come to are bounds, too
-            bounds, found = found, self.round(found)
-            require(self.hold(found, bounds), "bounds of its deviations are lost by rounding")
-            if all(100 * f >= 99 * b for rows in zip(found, bounds) for f, b in zip(*rows)):
-                return found
+        while any(100 * f < 99 * b for rows in zip(found, bounds) for f, b in zip(*rows)):
+            bounds, found = found, self.round(found, self.count)
+        return found
 
     def hold(self, found, bounds):
         return all(f <= b for rows in zip(found, bounds) for f, b in zip(*rows))
@@ -239,9 +241,11 @@ class Hover:
     def follow(self):
         self.sum_up()
         try:
-            found = self.find_bounds()
+            bounds = self.find_bounds()
+            found = self.round(bounds, len(self.forms))
         except SidewaysError:
             raise Refused("no bounds of its deviations hold: a thrust or lift may point sideways") from None
+        require(self.hold(found, bounds), "bounds of its deviations are lost by rounding")
         self.require_motors(found)
         self.require_tilt()
         return max(self.radii())
