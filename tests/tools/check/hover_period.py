@@ -193,7 +193,7 @@ class Loop:
         k3 = self.slope(go(k2, STEP / 2), wind)
         k4 = self.slope(go(k3, STEP), wind)
         out = go([a + (b + c).times(F(2)) + d for a, b, c, d in zip(k1, k2, k3, k4)], STEP / 6)
-        share, fault = F(self.kept, ONE), 2 * self.gust_most // ONE + 2
+        share, fault = F(self.kept, ONE), 4 * self.gust_most // ONE + 4
         first = self.gusts + 3 * millisecond
         self.gust = [g.times(share) + self.of.symbol(first + i).times(1 - share).wider(fault) for i, g in enumerate(self.gust)]
         self.moved.append(out[:3])
@@ -223,8 +223,8 @@ class Loop:
 
 
 class Geometric(Loop):
-    """Coordinates: lift (3), velocity (3), lag (3), heading, rates (3), spin (3), low-passed angular acceleration (3), rates since they were last seen (3),
-    acceleration (3)."""
+    """Coordinates: lift (3), velocity (3), lag (3), heading, rates (3), spin (3), low-passed angular acceleration (3),
+    change of the rates since they were last seen (3), acceleration (3)."""
 
     COUNT = 25
     SPINS = range(13, 22)

@@ -30,7 +30,8 @@ LAWS = {"geometric": Geometric}
 SLACK, SPIN_SLACK = fixed_up(F(1, 10**9)), fixed_up(F(1, 10**7))  # in each coordinate and period, and in angular accelerations (docs/tube.md)
 PHASES = (0, 1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 17, 20, 25, 30, 40, 60, 100, 180, 340, 700)  # periods from which on other bounds of the coordinates hold
 DIED = 200  # a power has died away when it makes at most this part of each sum
-LONGEST = 20000  # periods, until which it must have
+LONGEST = 6000  # periods, until which it must have
+LARGEST = ONE << 20  # of sums
 ROUNDS = 30  # of larger bounds, then there are none
 
 
@@ -147,7 +148,7 @@ class Hover:
             self.take(sums)
             if group_begins(k) and self.has_died_away(sums.powers):
                 break  # the last group is for all periods from here on
-            require(k < LONGEST, "its loop hardly damps")
+            require(k < LONGEST and max(self.linear[-1]) < LARGEST, "its loop hardly damps, or its gusts last too long")
             sums.advance()
         self.powers = sums.powers
         begins = [p for p in PHASES if p <= k]
@@ -281,7 +282,7 @@ class Hover:
         for k, (distance, along) in enumerate(self.places):
             group += k in self.begins
             phase += k == self.phases[phase][1] if k else 1
-            if self.flies(k + 1):
+            if self.flies(k + 1 if k + 1 < len(self.places) else None):
                 further = size([max(abs(m[i].c) + m[i].radius[phase] for m in self.loop.moved) for i in range(3)])
                 yield distance + size(map(add, along, self.rest[group][self.place])) + further + SLACK + self.lost
 
