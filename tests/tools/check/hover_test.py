@@ -75,7 +75,7 @@ def require_refused(record, certificate):
             ("m off some time|it may tilt|no bounds|motor", changed(c, mass_error=2 * c["mass_error"])),
             ("m off some time|it may tilt|no bounds|motor", changed(c, wind_spread=c["wind_spread"] + 0.2)),
             ("m off some time|it may tilt|no bounds|motor", changed(c, start_error=1.2 * radius)),
-            ("motor 1 may leave its range", changed(c, vehicle={"motor_most": vehicle["mass"] * 9.80665 / 4 * 1.1})),
+            ("may leave its range", changed(c, vehicle={"motor_most": vehicle["mass"] * 9.80665 / 4 * 1.01})),
             ("its weight is beyond its motors", changed(c, vehicle={"motor_most": vehicle["mass"] * 9.80665 / 4})),
             ("no bounds|hardly damps|motor", changed(c, gains={"rates": [0.5 * g for g in gains["rates"]], "lead": [0, 0, 0]})),
             ("its loop hardly damps", changed(c, gains={"velocity": [0.01, 0.01, 0.01]})),
