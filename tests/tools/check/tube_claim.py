@@ -1,17 +1,13 @@
 """What a certificate of a tube claims: a vehicle, its controller, what may disturb it, and the parts of winds and masses.
 
-verify_tube.py follows the proof of each part.
+verify_tube.py follows the proof of each part in doubles, and verify_hover.py that of a hover in exact numbers.
 """
 
+import importlib
 import math
 import types
 from fractions import Fraction as F
 
-import numpy as np
-
-import tube_cascade
-import tube_geometric
-from tube_flight import STEP, Track
 from verify_certificate import LARGEST, LONGEST, SHORTEST, an_object, entries, number, numbers, require, shown, text, whole_number
 
 def positive(value, what, most=LARGEST):
@@ -29,7 +25,8 @@ def keys_of(value, keys, what):
     return value
 
 
-LAWS = {"geometric": tube_geometric, "cascade": tube_cascade}
+STEP = 1e-3  # s
+BOUNDED = {"geometric": 25, "cascade": 34}  # coordinates that have bounds, of each controller
 VEHICLE = ("mass", "inertia", "arm", "torque_per_thrust", "motor_time_constant", "motor_least", "motor_most", "drag")
 GAINS = ("position", "velocity", "attitude", "rates", "lead")
 CASCADE_GAINS = ("position", "velocity", "attitude", "rates", "feed_forward", "tilt_max")
@@ -53,8 +50,8 @@ class Claim:
 
     def __init__(self, certificate):
         self.controller = text(certificate, "controller", "the certificate")
-        require(self.controller in LAWS, f"controller must be geometric or cascade, found {self.controller!a}")
-        is_cascade = self.law is tube_cascade
+        require(self.controller in BOUNDED, f"controller must be geometric or cascade, found {self.controller!a}")
+        is_cascade = self.controller == "cascade"
         c = keys_of(certificate, (*CLAIM, "position_period_ms") if is_cascade else CLAIM, "the certificate")
         self.read_vehicle(keys_of(c["vehicle"], (*VEHICLE, "body_rate_max") if is_cascade else VEHICLE, "the vehicle"))
         self.period = self.milliseconds(c, "attitude_period_ms", 4)
@@ -84,7 +81,8 @@ class Claim:
 
     @property
     def law(self):
-        return LAWS[self.controller]
+        """The module with the controller's equations in doubles."""
+        return importlib.import_module("tube_" + self.controller)
 
     def read_vehicle(self, vehicle):
         for name in ("mass", "torque_per_thrust", "motor_time_constant"):
@@ -127,8 +125,8 @@ class Claim:
         return math.exp(-milliseconds * STEP / self.gust_lag)
 
 
-def track_of(record, frame):
-    """The trajectory of the record, in ENU axes."""
+def segments_of(record, frame):
+    """The trajectory of the record, in ENU axes: (duration, 8 control points, 8 yaws) of each segment."""
     require(record.get("type") == "trajectory" and record.get("status", "solved") == "solved", "the record is no solved trajectory")
     require(frame in ("enu", "neu"), f"frame must be enu or neu, found {shown(frame)}")
     require(record.get("frame", frame) == frame, f"the record has the frame {shown(record.get('frame'))}")
@@ -143,9 +141,9 @@ def track_of(record, frame):
             yaw = yaw and [1.5707963267948966 - a for a in yaw]
         segments.append((duration, list(zip(x, y, z)), yaw or [0.0] * 8))
     require(segments, "there is no segment")
-    track = Track(segments)
-    require(track.duration <= 36000, f"the trajectory takes {track.duration} s")
-    return track
+    duration = sum(segment[0] for segment in segments)
+    require(duration <= 36000, f"the trajectory takes {duration} s")
+    return segments
 
 
 # ---- Cells.
@@ -227,10 +225,10 @@ def cells_of(claim, listed):
         cell = Cell(claim, part)
         cell.periods = [whole_number(k, f"cells[{i}].periods[{j}]", 1001) for j, k in enumerate(entries(one["periods"], "periods"))]
         require(all(k > 0 for k in cell.periods), f"cells[{i}].periods must be above 0")
-        bounded = claim.law.ROWS.wind
+        bounded = BOUNDED[claim.controller]
         bounds = [positives(row, bounded, f"cells[{i}].bounds[{k}]") for k, row in enumerate(entries(one["bounds"], "bounds"))]
         require(len(bounds) == len(cell.periods), f"cells[{i}] has {len(bounds)} bounds for {len(cell.periods)} spans")
-        cell.bounds = np.array(bounds).reshape(-1, bounded)
+        cell.bounds = bounds
         out.append(cell)
     require(out, "there is no cell")
     require_cover(claim, out)

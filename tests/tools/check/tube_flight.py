@@ -8,10 +8,10 @@ import math
 
 import numpy as np
 
+from tube_claim import STEP, segments_of
 from tube_models import cross, dot
 
 GRAVITY = 9.80665
-STEP = 1e-3  # s
 FILTER_SHARE = STEP / (STEP + 1 / (2 * 3.141592653589793 * 30))  # of the low pass on angular acceleration
 
 
@@ -70,6 +70,11 @@ class Track:
         for k in (1, 2, 3, 5):
             out[k] = out[k] * (moves[:, None] if out[k].ndim == 2 else moves)
         return out
+
+
+def track_of(record, frame):
+    """The trajectory of the record."""
+    return Track(segments_of(record, frame))
 
 
 # ---- A flight.

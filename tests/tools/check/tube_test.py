@@ -17,10 +17,10 @@ import tempfile
 import numpy as np
 
 from tool_runs import read, tool, write
-from tube_claim import Cell, Claim, track_of
+from tube_claim import STEP, Cell, Claim
 from tube_deviations import rows_of
-from tube_flight import STEP, with_gains_off
 from tube_flight import fly as flown
+from tube_flight import track_of, with_gains_off
 from tube_mutants import Mutants
 from verify_certificate import Refused, strict_json
 from verify_tube import verify

@@ -19,9 +19,9 @@ except ImportError:
     print("verify_tube.py needs NumPy (Debian: python3-numpy); every other script of these needs only Python", file=sys.stderr)
     sys.exit(3)
 
-from tube_claim import Claim, cells_of, track_of
+from tube_claim import STEP, Claim, cells_of
 from tube_deviations import SLACK, UP, Deviations, slacks
-from tube_flight import GRAVITY, STEP, fly
+from tube_flight import GRAVITY, fly, track_of
 from tube_models import ROUNDING, SidewaysError
 from tube_period import groups
 from verify_certificate import Refused, by_id, require, run_main
@@ -42,7 +42,7 @@ class CellProof:
         require(sum(cell.periods) == self.count, f"a cell must have bounds of {self.count} periods, found {sum(cell.periods)}")
         self.rows = rows = claim.law.ROWS
         self.scales = np.empty((self.count, rows.states))
-        self.scales[:, :rows.wind] = np.maximum(np.repeat(cell.bounds, cell.periods, axis=0), LEAST_SCALE)
+        self.scales[:, :rows.wind] = np.maximum(np.repeat(np.array(cell.bounds).reshape(-1, rows.wind), cell.periods, axis=0), LEAST_SCALE)
         self.scales[:, rows.wind:rows.wind + 3] = np.maximum(radius, LEAST_SCALE)
         self.scales[:, rows.lightness:] = np.maximum(halves, LEAST_SCALE)
         self.require_start()

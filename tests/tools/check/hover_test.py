@@ -1,0 +1,205 @@
+"""hover_test.py BIN_DIR [MUTANTS [SEED]]: verify_hover.py confirms certificates of hovers, and refuses those that claim too little.
+
+Of so many changed certificates (4 without a number) each is refused, or what it claims is still true: flights under gusts that run from one end to the
+other stay within it.
+"""
+
+import collections
+import json
+import os
+import random
+import re
+import subprocess
+import sys
+import tempfile
+
+import numpy as np
+
+from hover_models import ONE, fixed
+from hover_period import F, Geometric
+from tool_runs import read, tool, write
+from tube_claim import STEP, Cell, Claim
+from tube_flight import fly, track_of
+from tube_flown import flown
+from tube_mutants import Mutants
+from verify_certificate import Refused, strict_json
+from verify_hover import verify
+
+MUTANTS = int(sys.argv[2]) if len(sys.argv) > 2 else 4
+SEED = int(sys.argv[3]) if len(sys.argv) > 3 else 1
+
+
+def hover(name, yaw=None, seconds=0.4, frame="enu"):
+    segment = {"duration": seconds / 2, **{axis: [v] * 8 for axis, v in zip("xyz", (3, -2, 5))}}
+    if yaw is not None:
+        segment["yaw"] = [yaw] * 8
+    return {"type": "trajectory", "id": name, "status": "solved", "frame": frame, "segments": [segment, dict(segment)]}
+
+
+def certified(record, *options):
+    write("t.jsonl", [record])
+    tool("skyway-fly", "t.jsonl", "--controller", "geometric", "--proved-tube", "--certificate", "c.jsonl", "--threads", "1", "-o", "f.csv", "-q",
+         "--report-file", "r.jsonl", "--gust-lag", "0.1", "--hover-time", "2.5", "--settle", "0.05", *options)
+    return record, read("c.jsonl")[0]
+
+
+def reason(record, certificate):
+    """Why it is refused, or "". What is no JSON is refused, as in a file."""
+    try:
+        verify(strict_json(json.dumps(record)), strict_json(json.dumps(certificate)))
+        return ""
+    except Refused as why:
+        return str(why)
+
+
+def changed(certificate, **changes):
+    """A copy; `vehicle` and `gains` name numbers in them."""
+    copy = json.loads(json.dumps(certificate))
+    for key, value in changes.items():
+        if key in ("vehicle", "gains"):
+            copy[key].update(value)
+        else:
+            copy[key] = value
+    return copy
+
+
+def require_refused(record, certificate):
+    c, vehicle, gains = certificate, certificate["vehicle"], certificate["gains"]
+    radius = max(c["radius"])
+    held = verify(record, c)["for_ever"]
+    assert 0.7 * radius < held <= radius, (held, radius)
+    for words, other in (
+            ("m off some time", changed(c, radius=[min(r, 0.999 * held) for r in c["radius"]])),
+            ("it may tilt by", changed(c, tilt=0.5 * c["tilt"])),
+            ("m off some time|it may tilt|no bounds|motor", changed(c, gust_most=1.5 * c["gust_most"])),
+            ("m off some time|it may tilt|no bounds|motor", changed(c, mass_error=2 * c["mass_error"])),
+            ("m off some time|it may tilt|no bounds|motor", changed(c, start_error=1.2 * radius)),
+            ("may leave its range", changed(c, vehicle={"motor_most": vehicle["mass"] * 9.80665 / 4 * 1.01})),
+            ("its weight is beyond its motors", changed(c, vehicle={"motor_most": vehicle["mass"] * 9.80665 / 4})),
+            ("no bounds|hardly damps|motor", changed(c, gains={"rates": [0.5 * g for g in gains["rates"]], "lead": [0, 0, 0]})),
+            ("knows no noise", changed(c, place_noise=1e-9)),
+            ("knows no noise", changed(c, rate_noise=1e-9)),
+            ("no gains that are off", changed(c, gain_error=1e-9)),
+            ("radii for", changed(c, radius=c["radius"][1:])),
+            ("it is no certificate of this record", changed(c, id="other")),
+            ("no cell", changed(c, cells=[changed(c["cells"][0], part=[3])]))):
+        found = reason(record, other)
+        assert re.search(words, found), (words, found)
+        print(f"refused as it should be: {found}", flush=True)
+    moved = json.loads(json.dumps(record))
+    moved["segments"][1]["z"][7] += 1e-9
+    turned = json.loads(json.dumps(record))
+    turned["segments"][0]["yaw"] = [0.1] * 8
+    for other in (moved, turned):
+        assert reason(other, certificate) == "the trajectory does not rest"
+
+
+def require_period(record, certificate, count):
+    """What a quadrotor does in a period, from anywhere within bounds of its coordinates, is within the model's remainders."""
+    claim, chance = Claim(certificate), np.random.default_rng(SEED)
+    track, cell = track_of(record, certificate["frame"]), Cell(claim)
+    references = track.at(0, claim.period)
+    loop, rows = Geometric(claim, cell, float(references[4][0])), claim.law.ROWS
+    bounds = np.array([0.3] * 3 + [0.1] * 3 + [0.1] * 3 + [0.02] + [0.2, 0.2, 0.05] + [2, 2, 0.2] + [2, 2, 0.2] + [0.003] * 3 + [0.05] * 3)
+    after = loop.run([[fixed(F(b)) for b in bounds]])
+    real = lambda values: np.array([v / ONE for v in values])
+    middle, held, halves, named = real(loop.middle), real(loop.held), real(loop.halves), real(loop.of.bounds[0][loop.named:])
+    used = 0
+    for _ in range(count):
+        off = bounds * chance.choice([-1, 1, 0.5, 0], len(bounds))
+        held_off = halves * chance.choice([-1, 1, 0], len(halves))
+        gust = [(off[rows.gust + i] - off[i]) / claim.drag_rate + off[rows.velocity + i] - held_off[i] for i in range(3)]
+        e = [*(middle + off), *(held + held_off)]
+        seed = int(chance.integers(1 << 30))
+        towards = np.random.default_rng(seed).normal(size=3)
+        towards *= claim.gust_most / np.linalg.norm(towards)
+        then, commands, moved, upright = flown(claim, np.random.default_rng(seed), e, gust, references, 0)
+        symbols = np.array([*off, *held_off, *np.tile(towards, claim.period)])
+
+        def require_within(model, value, what):
+            slopes = real(model.l)
+            room = np.abs(slopes[loop.named:]) @ named + model.r[0] / ONE
+            away = abs(value - model.c / ONE - slopes[:loop.named] @ symbols)
+            assert away <= room + 1e-9, (what, away, room)
+            return away / (room + 1e-9)
+
+        used = max(used, *(require_within(after[i], then[i], f"coordinate {i}") for i in range(rows.gust)))
+        for j in range(claim.period):
+            for m in range(4):
+                require_within(loop.commands[j][m], commands[j][m], f"motor {m + 1}")
+            for i in range(3):
+                require_within(loop.moved[j][i], moved[j][i], f"moved {i}")
+            require_within(loop.upright[j], upright[j], "tilt")
+    assert 0.3 < used, used
+    print(f"{record['id']}: {count} periods from anywhere within bounds: at most {used:.2f} of a remainder was used")
+
+
+def require_flights_within(record, certificate, flights, seconds):
+    """Of flights of any length. Returns how far one came."""
+    claim, track, chance, most = Claim(certificate), track_of(record, certificate["frame"]), np.random.default_rng(SEED), 0
+    periods = round(seconds / STEP) // claim.period
+    for _ in range(flights):
+        away, *off = (size * v / np.linalg.norm(v) for size, v in
+                      zip((claim.wind_spread, claim.start_error, claim.start_speed), chance.normal(size=(3, 3))))
+        _, _, middles, halves = Cell(claim).nominal()
+        factors = (np.array(middles) + chance.choice([-1, 1], len(halves)) * halves).tolist()
+        kept, gust, towards, gusts = claim.gust_kept(1), np.zeros(3), np.zeros(3), []
+        for n in range(periods * claim.period):
+            gusts.append(gust.tolist())
+            if n % 100 == 0:
+                towards = chance.normal(size=3)
+                towards *= claim.gust_most / np.linalg.norm(towards)
+            gust = kept * gust + (1 - kept) * towards
+        _, places = fly(claim, track, (np.array(claim.wind) + away).tolist(), factors, periods, gusts, off)
+        far = np.linalg.norm(places - track.at(0, 0)[0][0], axis=1)[-(-claim.before // claim.period):]
+        assert far.max() <= max(claim.radius), (record["id"], far.max(), max(claim.radius))
+        most = max(most, far.max())
+    return most
+
+
+def script(*arguments):
+    """Exit code and words of the script as a program."""
+    name = os.path.join(os.path.dirname(os.path.abspath(__file__)), "verify_hover.py")
+    done = subprocess.run([sys.executable, "-B", name, *arguments], capture_output=True, text=True)
+    return done.returncode, done.stdout + done.stderr
+
+
+def require_exit_codes(record, certificate):
+    write("record.jsonl", [record])
+    code, words = script("record.jsonl", write("good.jsonl", [certificate]))
+    assert code == 0 and "the tube holds" in words, words
+    code, words = script("record.jsonl", write("other.jsonl", [{**certificate, "id": "other"}]))
+    assert code == 1 and "there is no record of this certificate" in words and "there is no certificate" in words, words
+    assert script("record.jsonl")[0] == 2
+    with open("cut.jsonl", "w", encoding="utf-8") as file:
+        file.write(json.dumps(certificate)[:100])
+    assert script("record.jsonl", "cut.jsonl")[0] == 3
+
+
+os.chdir(tempfile.mkdtemp())
+cases = [certified(hover("quad", yaw=0.7), "--vehicle", "quad2kg", "--wind", "1,0.5,0", "--wind-spread", "0.1", "--gust-most", "0.3", "--mass-error", "0.004"),
+         certified(hover("ranges", frame="neu", yaw=-0.4), "--vehicle", "quad2kg", "--wind-spread", "0.1", "--gust-most", "0.2", "--mass-error", "0.002",
+                   "--drag-error", "0.05", "--motor-lag-error", "0.02", "--inertia-error", "0.01", "--start-error", "0.0004", "--start-speed", "0.0006"),
+         certified(hover("crazyflie"), "--vehicle", "crazyflie", "--wind-spread", "0.2", "--gust-most", "0.2", "--mass-error", "0.004")]
+for case in cases:
+    said = verify(*case)
+    far = require_flights_within(*case, 3, 4)
+    print(f"{case[0]['id']}: claimed {said['largest']:.5g} m, proved for ever {said['for_ever']:.5g} m, flights came {far:.5g} m far", flush=True)
+    assert 0.15 * said["for_ever"] < far <= said["for_ever"]
+require_period(*cases[0], 60)
+require_period(*cases[1], 60)
+require_refused(*cases[0])
+require_exit_codes(*cases[0])
+
+tried, chance = collections.Counter(), random.Random(SEED)
+streams = [Mutants(SEED * 10 + i).of(*case) for i, case in enumerate(cases)]
+for _ in range(MUTANTS):
+    what, record, certificate, expected = next(chance.choice(streams))
+    kind, found = what.split(":")[0], reason(record, certificate)
+    tried[kind, "refused" if found else "accepted"] += 1
+    if not found:
+        # The script has bounds of its own, and looks at the largest radius alone.
+        assert expected != "refused" or kind in ("bounds", "span", "radius"), (record["id"], what)
+        require_flights_within(record, certificate, 2, 2 + certificate["hover"])
+for kind in sorted(tried):
+    print(*kind, tried[kind])
