@@ -46,13 +46,11 @@ struct Outcome {
   bool saturated = false;
 };
 
-// A hop over one or two bends, `far` metres to each side. `speed` is for 6 m; with its power of
-// 3/4, the snap of shorter ones is the same.
+// A hop over one or two bends, `far` metres to each side.
 traj::Trajectory hop(Random& random, double speed, double far) {
   const auto somewhere = [&]() -> Vec3 {
     return far * Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1) / 3);
   };
-  speed *= std::pow(far / 6, 0.75);
   traj::Trajectory out;
   traj::State from;
   for (int left = 1 + random.below(2); left >= 0; --left) {
