@@ -62,8 +62,10 @@ void for_each_cell(const Vec3& p, double reach, const Indices& of, const F& f) {
 // The spans of a block of points, by their shard. Its memory is used again for the next block.
 class BinnedSpans {
  public:
-  void bin(std::span<const Vec3> points, double reach, const Indices& indices) {
-    std::vector<CellSpan> spans;  // in the order of the points
+  // `spans` is room for them in the order of the points.
+  void bin(std::span<const Vec3> points, double reach, const Indices& indices,
+           std::vector<CellSpan>& spans) {
+    spans.clear();
     spans.reserve(points.size());
     begins_.fill(0);
     for (const Vec3& p : points) {
@@ -152,7 +154,8 @@ struct ColumnGrid::Impl {
   std::int64_t gap;  // steps; no two are 2^33 apart
   std::vector<ColumnShard> shards{kShards};
   std::vector<BinnedSpans> blocks;
-  std::size_t waiting = 0;  // blocks with spans that are not in the shards yet, the first ones
+  std::vector<CellSpan> room;  // for a block that comes alone: the system takes its time to give it
+  std::size_t waiting = 0;     // blocks with spans that are not in the shards yet, the first ones
 };
 
 ColumnGrid::ColumnGrid(const ColumnSpec& spec) : impl_(std::make_unique<Impl>(spec)) {}
@@ -184,8 +187,9 @@ void ColumnGrid::add(std::span<const Vec3> points, double reach, const Execution
   if (blocks.size() < first + count) blocks.resize(first + count);
   parallel_for(count, {run.threads, {}}, [&](std::size_t b) {
     const std::size_t begin = b * kBlock;
+    std::vector<CellSpan> own;
     blocks[first + b].bin(points.subspan(begin, std::min(kBlock, points.size() - begin)), reach,
-                          impl_->indices);
+                          impl_->indices, count == 1 ? impl_->room : own);
   });
   impl_->waiting += count;
   if (impl_->has_enough_waiting()) impl_->add_waiting(run);
@@ -194,6 +198,7 @@ void ColumnGrid::add(std::span<const Vec3> points, double reach, const Execution
 BoxTable ColumnGrid::boxes(std::string_view source, const Execution& run) {
   impl_->add_waiting(run);
   impl_->blocks = {};
+  impl_->room = {};
   return boxes_of_columns(impl_->tiles(), impl_->spec, source, run);
 }
 
