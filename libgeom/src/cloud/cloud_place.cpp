@@ -182,9 +182,8 @@ std::optional<double> CloudPlace::metres_in_file() const {
 }
 
 void CloudPlace::place(std::span<CloudPoint> points) {
-  if (points.empty()) return;
+  if (points.empty() || !moves_points()) return;
   if (!projects_) {
-    if (metres_ == Vec3::Ones()) return;
     for (CloudPoint& p : points) p.position = p.position.cwiseProduct(metres_);
     return;
   }

@@ -33,18 +33,25 @@ bool CloudSource::wants(const CloudPoint& p) {
   return false;
 }
 
-void CloudSource::place_wanted(std::span<const CloudPoint> chunk) {
-  wanted_.assign(chunk.begin(), chunk.end());
-  if (options_.drop_noise || options_.classes.any()) {
-    std::erase_if(wanted_, [&](const CloudPoint& p) { return !wants(p); });
-  } else {
+std::span<const CloudPoint> CloudSource::place_wanted(std::span<const CloudPoint> chunk) {
+  std::span<const CloudPoint> placed = chunk;
+  const bool all = !options_.drop_noise && options_.classes.none();
+  if (all) {
     noise_ += static_cast<std::size_t>(std::count_if(
         chunk.begin(), chunk.end(), [](const CloudPoint& p) { return is_noise_class(p.cls); }));
   }
-  place_.place(wanted_);
-  for (const CloudPoint& p : wanted_) {
-    if (!is_in_reach(p.position)) refuse_reach(p.position, file_.name);
+  if (!all || place_.moves_points()) {
+    wanted_.assign(chunk.begin(), chunk.end());
+    if (!all) std::erase_if(wanted_, [&](const CloudPoint& p) { return !wants(p); });
+    place_.place(wanted_);
+    placed = wanted_;
   }
+  if (place_.moves_points()) {  // readers refuse points out of reach themselves
+    for (const CloudPoint& p : placed) {
+      if (!is_in_reach(p.position)) refuse_reach(p.position, file_.name);
+    }
+  }
+  return placed;
 }
 
 void CloudSource::settle(const CoordinateReference& told) {
@@ -62,10 +69,7 @@ void CloudSource::for_each_chunk(const PointSink& f) {
   other_class_ = 0;
   noise_ = 0;
   part_.reset();
-  const auto points = [&](std::span<const CloudPoint> chunk) {
-    place_wanted(chunk);
-    f(wanted_);
-  };
+  const auto points = [&](std::span<const CloudPoint> chunk) { f(place_wanted(chunk)); };
   if (!read_before_) {
     read_before_ = true;
     return read(file_.first, points);

@@ -39,7 +39,7 @@ class CloudSource {
   CopcPart part() const;
   bool reads_part(std::string_view head) const;
   void settle(const CoordinateReference& told);
-  void place_wanted(std::span<const CloudPoint> chunk);
+  std::span<const CloudPoint> place_wanted(std::span<const CloudPoint> chunk);
 
   const CloudFile& file_;
   const CloudDraftOptions& options_;
@@ -50,7 +50,7 @@ class CloudSource {
   bool says_nothing_ = false;
   std::size_t other_class_ = 0;
   std::size_t noise_ = 0;
-  std::vector<CloudPoint> wanted_;  // of a chunk
+  std::vector<CloudPoint> wanted_;  // of a chunk, where that is not all of it as it is
   nlohmann::ordered_json input_;
   std::optional<CopcCounts> part_;  // where not all was read
 };

@@ -8,10 +8,12 @@
 namespace geom {
 namespace {
 
-// Points: so many that what a processor fetches of the columns is used for several of them. An
-// eighth of it takes half as long again.
-constexpr std::size_t kBatch = std::size_t{1} << 21;
-constexpr std::size_t kBlock = std::size_t{1} << 14;  // that a thread looks at at once
+constexpr std::size_t kBlock = std::size_t{1} << 14;  // points that a thread looks at at once
+
+// Points: few for one thread, which finds them in its cache, and work for all of several threads.
+std::size_t batch_for(const Execution& run) {
+  return run.threads <= 1 ? std::size_t{1} << 15 : std::size_t{1} << 21;
+}
 
 }  // namespace
 
@@ -20,14 +22,15 @@ ColumnFiller::ColumnFiller(const CloudDraftOptions& options, const GroundFilter*
     : options_(options),
       ground_(ground),
       run_{run.threads, {}},
+      batch_(batch_for(run)),
       columns_(options.columns),
       beside_(run.threads <= 1) {
   reserve();
 }
 
 void ColumnFiller::reserve() {
-  next_.places.reserve(kBatch + kBlock);
-  if (ground_) next_.classes.reserve(kBatch + kBlock);
+  next_.places.reserve(batch_ + kBlock);
+  if (ground_) next_.classes.reserve(batch_ + kBlock);
 }
 
 void ColumnFiller::add(std::span<const CloudPoint> points) {
@@ -37,7 +40,7 @@ void ColumnFiller::add(std::span<const CloudPoint> points) {
   if (ground_) {
     for (const CloudPoint& p : points) next_.classes.push_back(p.cls);
   }
-  if (next_.places.size() >= kBatch) hand_over();
+  if (next_.places.size() >= batch_) hand_over();
 }
 
 void ColumnFiller::finish() {

@@ -40,6 +40,7 @@ class ColumnFiller {
   const CloudDraftOptions& options_;
   const GroundFilter* ground_;
   Execution run_;
+  std::size_t batch_;  // points that go into the columns together
   ColumnGrid columns_;
   std::size_t kept_ = 0;
   std::size_t dropped_ = 0;

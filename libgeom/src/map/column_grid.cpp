@@ -19,6 +19,10 @@ namespace {
 
 constexpr std::size_t kShards = 1024;
 constexpr std::size_t kBlock = std::size_t{1} << 15;  // points that a thread takes at once
+// So many spans wait that what a processor fetches of the cells is used for several of them. With
+// few of them a cloud takes half as long again.
+constexpr std::size_t kWaiting = std::size_t{1} << 22;
+constexpr std::size_t kWaitingBlocks = kWaiting / kBlock;
 constexpr std::size_t kAhead = 64;  // points between the one that is fetched and the one in use
 
 // The shard of a cell: by areas of 32 cells, so that points which are near to each other mostly
@@ -58,28 +62,27 @@ void for_each_cell(const Vec3& p, double reach, const Indices& of, const F& f) {
 // The spans of a block of points, by their shard. Its memory is used again for the next block.
 class BinnedSpans {
  public:
-  void bin(std::span<const Vec3> points, double reach, const Indices& indices) {
-    std::vector<CellSpan> spans;  // in the order of the points
-    std::vector<std::uint16_t> shards;
+  // `spans` is room for them in the order of the points.
+  void bin(std::span<const Vec3> points, double reach, const Indices& indices,
+           std::vector<CellSpan>& spans) {
+    spans.clear();
     spans.reserve(points.size());
-    shards.reserve(points.size());
     begins_.fill(0);
     for (const Vec3& p : points) {
       __builtin_prefetch(&p + kAhead);
       for_each_cell(p, reach, indices, [&](const CellSpan& span) {
-        const std::size_t shard = shard_of(span.x, span.y);
         spans.push_back(span);
-        shards.push_back(static_cast<std::uint16_t>(shard));
-        ++begins_[shard + 1];
+        ++begins_[shard_of(span.x, span.y) + 1];
       });
     }
     for (std::size_t s = 1; s <= kShards; ++s) begins_[s] += begins_[s - 1];
     binned_.resize(std::max(binned_.size(), spans.size()));
     std::array<std::uint32_t, kShards> next;
     std::copy_n(begins_.begin(), kShards, next.begin());
-    for (std::size_t i = 0; i < spans.size(); ++i) binned_[next[shards[i]]++] = spans[i];
+    for (const CellSpan& span : spans) binned_[next[shard_of(span.x, span.y)]++] = span;
   }
 
+  std::size_t size() const { return begins_[kShards]; }
   std::span<const CellSpan> of(std::size_t shard) const {
     return std::span(binned_).subspan(begins_[shard], begins_[shard + 1] - begins_[shard]);
   }
@@ -110,6 +113,30 @@ struct ColumnGrid::Impl {
 
   void add(const CellSpan& span) { shards[shard_of(span.x, span.y)].add({&span, 1}, gap); }
 
+  bool has_enough_waiting() const {
+    std::size_t spans = 0;
+    for (std::size_t b = 0; b < waiting; ++b) spans += blocks[b].size();
+    return waiting >= kWaitingBlocks || spans >= kWaiting;
+  }
+
+  // Brings what waits in the blocks to its cells.
+  void add_waiting(const Execution& run) {
+    constexpr std::size_t kTogether = 16;
+    parallel_for(kShards / kTogether, {run.threads, {}}, [&](std::size_t group) {
+      std::vector<CellSpan> spans;  // of one shard
+      for (std::size_t s = group * kTogether; s < (group + 1) * kTogether; ++s) {
+        spans.clear();
+        for (std::size_t b = 0; b < waiting; ++b) {
+          if (b + 4 < waiting) prefetch(blocks[b + 4].of(s));
+          const std::span<const CellSpan> some = blocks[b].of(s);
+          spans.insert(spans.end(), some.begin(), some.end());
+        }
+        shards[s].add(spans, gap);
+      }
+    });
+    waiting = 0;
+  }
+
   // By y, then x.
   std::vector<ColumnTile> tiles() const {
     std::vector<ColumnTile> out;
@@ -126,7 +153,9 @@ struct ColumnGrid::Impl {
   Indices indices;
   std::int64_t gap;  // steps; no two are 2^33 apart
   std::vector<ColumnShard> shards{kShards};
-  std::vector<BinnedSpans> blocks;  // for the points that come next
+  std::vector<BinnedSpans> blocks;
+  std::vector<CellSpan> room;  // for a block that comes alone: the system takes its time to give it
+  std::size_t waiting = 0;     // blocks with spans that are not in the shards yet, the first ones
 };
 
 ColumnGrid::ColumnGrid(const ColumnSpec& spec) : impl_(std::make_unique<Impl>(spec)) {}
@@ -153,30 +182,23 @@ void ColumnGrid::add(const Vec3& p, double reach) {
 
 void ColumnGrid::add(std::span<const Vec3> points, double reach, const Execution& run) {
   const std::size_t count = (points.size() + kBlock - 1) / kBlock;
+  const std::size_t first = impl_->waiting;
   std::vector<BinnedSpans>& blocks = impl_->blocks;
-  if (blocks.size() < count) blocks.resize(count);
+  if (blocks.size() < first + count) blocks.resize(first + count);
   parallel_for(count, {run.threads, {}}, [&](std::size_t b) {
     const std::size_t begin = b * kBlock;
-    blocks[b].bin(points.subspan(begin, std::min(kBlock, points.size() - begin)), reach,
-                  impl_->indices);
+    std::vector<CellSpan> own;
+    blocks[first + b].bin(points.subspan(begin, std::min(kBlock, points.size() - begin)), reach,
+                          impl_->indices, count == 1 ? impl_->room : own);
   });
-  constexpr std::size_t kTogether = 16;
-  parallel_for(kShards / kTogether, {run.threads, {}}, [&](std::size_t group) {
-    std::vector<CellSpan> spans;  // of one shard
-    for (std::size_t s = group * kTogether; s < (group + 1) * kTogether; ++s) {
-      spans.clear();
-      for (std::size_t b = 0; b < count; ++b) {
-        if (b + 4 < count) prefetch(blocks[b + 4].of(s));
-        const std::span<const CellSpan> some = blocks[b].of(s);
-        spans.insert(spans.end(), some.begin(), some.end());
-      }
-      impl_->shards[s].add(spans, impl_->gap);
-    }
-  });
-  if (count < blocks.size()) blocks = {};  // mostly the last points of a stream
+  impl_->waiting += count;
+  if (impl_->has_enough_waiting()) impl_->add_waiting(run);
 }
 
-BoxTable ColumnGrid::boxes(std::string_view source, const Execution& run) const {
+BoxTable ColumnGrid::boxes(std::string_view source, const Execution& run) {
+  impl_->add_waiting(run);
+  impl_->blocks = {};
+  impl_->room = {};
   return boxes_of_columns(impl_->tiles(), impl_->spec, source, run);
 }
 

@@ -90,6 +90,27 @@ TEST(ColumnGrid, IsTheSameOfManyPointsAtOnceForAnyNumberOfThreads) {
   }
 }
 
+TEST(ColumnGrid, IsTheSameOfPointsThatComeAFewAtATimeAndGoesOnAfterItsBoxes) {
+  for (const double reach : {0.0, 20.0}) {  // metres: of few points, and of very many cells
+    const auto points = scan(3, 1000, Vec3::Zero());
+    const ColumnSpec spec{0.5, 0.25, 1, true};
+    ColumnGrid one(spec);
+    for (const Vec3& p : points) one.add(p, reach);
+    ColumnGrid grid(spec);
+    for (std::size_t i = 0; i < points.size(); i += 5) {
+      grid.add(std::span(points).subspan(i, 5), reach);
+      if (i == 500) {
+        EXPECT_FALSE(grid.boxes("test").boxes.empty());
+      }
+    }
+    const BoxTable expected = one.boxes("test");
+    const BoxTable table = grid.boxes("test");
+    EXPECT_TRUE(table.boxes == expected.boxes);
+    EXPECT_EQ(table.label, expected.label);
+    EXPECT_TRUE(grid.boxes("test").boxes == expected.boxes);
+  }
+}
+
 TEST(ColumnGrid, RefusesTheFirstPointThatIsTooFarForAnyNumberOfThreads) {
   std::vector<Vec3> points(40000, Vec3(1, 1, 1));
   points[30000] = {3e9, 0, 0};

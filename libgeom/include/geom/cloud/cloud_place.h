@@ -65,6 +65,7 @@ class CloudPlace {
   // Once settled: to metres of the map. The first points of all decide where `origin_near_points`
   // puts the origin.
   void place(std::span<CloudPoint> points);
+  bool moves_points() const { return projects_ || metres_ != Vec3::Ones(); }
 
   // Once the first points are placed:
   const Frame& frame() const { return frame_; }

@@ -37,7 +37,8 @@ class ColumnGrid {
   // Adds the point, and with a reach (metres, >= 0) all that is so near to it along each axis.
   void add(const Vec3& p, double reach = 0);
 
-  // The same of many points, on all threads. Faster than one by one, also on one thread.
+  // The same of many points, on all threads. Faster than one by one, also on one thread. What it
+  // keeps of them waits for more points, or for boxes(), to be sorted into the cells.
   void add(std::span<const Vec3> points, double reach = 0, const Execution& run = {});
 
   // Closed boxes that contain every point added, columns of equal heights joined. With
@@ -45,7 +46,7 @@ class ColumnGrid {
   // that to the highest in cells without returns, within the rectangle around all cells. Throws
   // InputError(source, …) where that rectangle has more than 2e8 cells. The same for any order of
   // the points. Empty without points.
-  BoxTable boxes(std::string_view source, const Execution& run = {}) const;
+  BoxTable boxes(std::string_view source, const Execution& run = {});
 
  private:
   struct Impl;
