@@ -133,7 +133,7 @@ class Mutants:
             return f"all radii times {by}", "refused" if by <= 0.9 else "asked"
         k = self.chance.randrange(len(radius))
         radius[k] *= by
-        return f"radius {k} times {by}", "refused" if by <= 0.9 else "asked"
+        return f"radius {k} times {by}", "refused" if by <= 0.75 else "asked"  # the tool's may be wider than the script's
 
     # Another claim.
 
@@ -152,7 +152,8 @@ class Mutants:
             part[i] = (part[i] + self.chance.randrange(1, 16)) % 16
             return f"a cell is {part}", "refused"
         part.append(self.chance.randrange(16))
-        return f"a cell is {part}", "refused"
+        is_whole = part == [0] and certificate["wind_spread"] == certificate["mass_error"] == 0
+        return f"a cell is {part}", "same" if is_whole else "refused"
 
     def vehicle(self, record, certificate):
         vehicle = certificate["vehicle"]
