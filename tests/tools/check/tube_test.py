@@ -229,13 +229,13 @@ for _ in range(MUTANTS):
         wrong.append((record["id"], what))
     if found == "accepted" and expected == "asked":
         asked["accepted"] += 1
-        # The tool's bounds may be wider than the script's. Then flights show whether the claim holds.
+        # The tool's bounds may be wider than the script's, of noise and gains above all. Then flights show whether the claim holds.
         if not proved_again(record, certificate):
             asked["flown"] += 1
             require_flights_within(record, certificate, 12)
 for kind in sorted(tried):
     print(*kind, tried[kind])
 assert not wrong, wrong
-assert asked["flown"] <= 1 + 0.1 * asked["accepted"], asked
+assert asked["flown"] <= 1 + 0.2 * asked["accepted"], asked
 print(f"{sum(tried.values())} changes: {sum(n for (_, found), n in tried.items() if found == 'refused')} refused, "
       f"{asked['accepted']} claim another tube ({asked['flown']} of these are flown, the others proved), the others the same one")
