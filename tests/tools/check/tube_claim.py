@@ -4,11 +4,12 @@ verify_tube.py follows the proof of each part in doubles, and verify_hover.py th
 """
 
 import importlib
+import json
 import math
 import types
 from fractions import Fraction as F
 
-from verify_certificate import LARGEST, LONGEST, SHORTEST, an_object, entries, number, numbers, require, shown, text, whole_number
+from verify_certificate import LARGEST, LONGEST, SHORTEST, Refused, an_object, by_id, entries, number, numbers, require, shown, text, whole_number
 
 def positive(value, what, most=LARGEST):
     found = number(value, what, 0, most)
@@ -233,3 +234,19 @@ def cells_of(claim, listed):
     require(out, "there is no cell")
     require_cover(claim, out)
     return out
+
+
+# ---- Files.
+
+def verify_files(verify, words, record_file, certificate_file):
+    """Prints what became of each record by verify(record, certificate), and says how many were refused."""
+    records, certificates = by_id(record_file), by_id(certificate_file)
+    refused = [f"{name!a}: refused: there is no record of this certificate" for name in certificates if name not in records]
+    for name, record in records.items():
+        try:
+            require(name in certificates, "there is no certificate")
+            print(f"{name!a}: {words} {json.dumps(verify(record, certificates[name]))}", flush=True)
+        except Refused as reason:
+            refused.append(f"{name!a}: refused: {reason}")
+    print("\n".join(refused), end="\n" if refused else "")
+    return len(refused)

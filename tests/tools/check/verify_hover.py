@@ -8,7 +8,7 @@ usage; 3 when a file cannot be read as what it should be. docs/certificates.md s
 """
 
 import bisect
-import json
+import functools
 import math
 import multiprocessing
 import os
@@ -18,8 +18,8 @@ from operator import add, mul, sub
 
 from hover_models import BITS, FAULT, ONE, SidewaysError, cos_of, fixed
 from hover_period import GRAVITY, HELD, Geometric
-from tube_claim import Claim, cells_of, segments_of
-from verify_certificate import Refused, by_id, require, run_main
+from tube_claim import Claim, cells_of, segments_of, verify_files
+from verify_certificate import Refused, require, run_main
 
 
 def fixed_up(x):
@@ -337,19 +337,5 @@ def verify(record, certificate):
     return {"largest": largest, "for_ever": math.nextafter(radius / ONE, math.inf), **said}
 
 
-def verify_files(record_file, certificate_file):
-    """Prints what became of each record, and says how many were refused."""
-    records, certificates = by_id(record_file), by_id(certificate_file)
-    refused = [f"{name!a}: refused: there is no record of this certificate" for name in certificates if name not in records]
-    for name, record in records.items():
-        try:
-            require(name in certificates, "there is no certificate")
-            print(f"{name!a}: however long it hovers, the tube holds for {json.dumps(verify(record, certificates[name]))}", flush=True)
-        except Refused as reason:
-            refused.append(f"{name!a}: refused: {reason}")
-    print("\n".join(refused), end="\n" if refused else "")
-    return len(refused)
-
-
 if __name__ == "__main__":
-    run_main(__doc__, 2, verify_files)
+    run_main(__doc__, 2, functools.partial(verify_files, verify, "however long it hovers, the tube holds for"))

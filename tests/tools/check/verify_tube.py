@@ -7,7 +7,7 @@ has a certificate that holds; 1 when one is refused, with the reason; 2 for wron
 should be, or NumPy is not there. docs/certificates.md says what is checked, and what is trusted.
 """
 
-import json
+import functools
 import math
 import multiprocessing
 import os
@@ -19,12 +19,12 @@ except ImportError:
     print("verify_tube.py needs NumPy (Debian: python3-numpy); every other script of these needs only Python", file=sys.stderr)
     sys.exit(3)
 
-from tube_claim import STEP, Claim, cells_of
+from tube_claim import STEP, Claim, cells_of, verify_files
 from tube_deviations import SLACK, UP, Deviations, slacks
 from tube_flight import GRAVITY, fly, track_of
 from tube_models import ROUNDING, SidewaysError
 from tube_period import groups
-from verify_certificate import Refused, by_id, require, run_main
+from verify_certificate import Refused, require, run_main
 
 LEAST_SCALE = 1e-9  # of a symbol: slopes are needed of coordinates that do not vary, too
 CHUNK = 500  # periods, about, whose maps are worked out together
@@ -232,19 +232,5 @@ def verify(record, certificate):
     return {"largest": max(claim.radius), **said}
 
 
-def verify_files(record_file, certificate_file):
-    """Prints what became of each record, and says how many were refused."""
-    records, certificates = by_id(record_file), by_id(certificate_file)
-    refused = [f"{name!a}: refused: there is no record of this certificate" for name in certificates if name not in records]
-    for name, record in records.items():
-        try:
-            require(name in certificates, "there is no certificate")
-            print(f"{name!a}: the tube holds for {json.dumps(verify(record, certificates[name]))}", flush=True)
-        except Refused as reason:
-            refused.append(f"{name!a}: refused: {reason}")
-    print("\n".join(refused), end="\n" if refused else "")
-    return len(refused)
-
-
 if __name__ == "__main__":
-    run_main(__doc__, 2, verify_files)
+    run_main(__doc__, 2, functools.partial(verify_files, verify, "the tube holds for"))
