@@ -33,7 +33,7 @@ struct Field {
 // Bytes that were unpacked; 0 if they are damaged or do not fit. LZF is loaded when it is needed.
 unsigned unpacked_lzf(const std::string& from, std::vector<unsigned char>& to) {
   static const LoadedLibrary library(SKYWAY_LZF_SONAME, "liblzf1");
-  decltype(lzf_decompress)* const unpack = library.function("lzf_decompress");
+  const auto unpack = SKYWAY_FUNCTION(library, lzf_decompress);
   return unpack(from.data(), static_cast<unsigned>(from.size()), to.data(),
                 static_cast<unsigned>(to.size()));
 }

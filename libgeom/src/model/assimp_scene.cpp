@@ -192,9 +192,9 @@ struct Assimp {
 
 Assimp load_assimp() {
   const LoadedLibrary library(SKYWAY_ASSIMP_SONAME, "libassimp5");
-  return {.import_file = library.function("aiImportFileFromMemory"),
-          .release = library.function("aiReleaseImport"),
-          .error = library.function("aiGetErrorString")};
+  return {.import_file = SKYWAY_FUNCTION(library, aiImportFileFromMemory),
+          .release = SKYWAY_FUNCTION(library, aiReleaseImport),
+          .error = SKYWAY_FUNCTION(library, aiGetErrorString)};
 }
 
 // `told`: polygons that the file counts. `hint`: the ending by which assimp knows the format.

@@ -164,6 +164,46 @@ TEST(CascadeStep, RunsTheRateLoopWithTheIntegralBeforeAndAfter) {
   EXPECT_LT((vector(step.turns[0].spin) - before - 1e-3 * k.i.cwiseProduct(error)).norm(), 1e-12);
 }
 
+// What may be clipped is what gains that are off ask for.
+TEST(CascadeStep, AsksForTheLiftOfItsOwnGains) {
+  CascadeLoop loop = loop_of(flight_of("tello"));
+  const PidGains& k = loop.gains.velocity;
+  const LiftGains of(loop);
+  CascadeState<double> state = testing::numbers<CascadeRows>(cascade_at_rest(1));
+  const Vec3 missed(0.3, -0.2, 0.1);
+  const Vec3 slope(0.2, 0.1, -0.4);
+  const Vec3 sum(0.5, -0.4, 0.3);  // the integral, with exact gains
+  state.lift =
+      triple(kGravity * Vec3::UnitZ() + k.p.cwiseProduct(missed) + sum + k.d.cwiseProduct(slope));
+  state.missed = triple(missed);
+  state.slope = triple(slope);
+  // The error has not changed since.
+  state.due = triple(of.of_missed.cwiseProduct(missed) - of.of_slope.cwiseProduct(slope));
+  GainErrors<double> off;
+  off.none = false;
+  off.velocity = {0.1, -0.1, 0.1};
+  off.velocity_i = {0.2, 0.2, -0.2};
+  off.velocity_d = {-0.3, 0.3, 0.3};
+  const auto step = cascade_step(loop, state, {.at = std::vector<Reference>(5)}, {}, off);
+  const auto scaled_by = [](const Triple<double>& share, const Vec3& v) -> Vec3 {
+    return v + vector(share).cwiseProduct(v);
+  };
+  const Vec3 grown = of.of_missed.cwiseProduct(missed);
+  const Vec3 asked = scaled_by(off.velocity, k.p.cwiseProduct(missed)) +
+                     scaled_by(off.velocity_d, k.d.cwiseProduct((1 - of.share) * slope));
+  ASSERT_EQ(step.runs.size(), 1u);
+  ASSERT_GT(k.i.minCoeff(), 0);
+  ASSERT_GT(k.d.minCoeff(), 0);
+  EXPECT_LT(
+      (vector(step.runs[0].acceleration) - asked - scaled_by(off.velocity_i, sum + grown)).norm(),
+      1e-12);
+  EXPECT_LT((vector(step.runs[0].before) - asked - scaled_by(off.velocity_i, sum)).norm(), 1e-12);
+  EXPECT_LT(
+      (vector(step.runs[0].lift) - vector(step.runs[0].acceleration) - kGravity * Vec3::UnitZ())
+          .norm(),
+      1e-12);
+}
+
 TEST(CascadeStep, HasNoBoundForAThrustThatMayPointDown) {
   const FlightOptions options = flight_of("quad2kg");
   CascadeState<Model> state = cascade_at_rest(1);

@@ -138,6 +138,22 @@ TEST(ProveTube, HoldsControllersWhoseGainsAreOff) {
   }
 }
 
+// Nothing is fed forward, so the vehicle stays behind by its speed over the position's gain.
+TEST(ProveTube, HoldsAWeakPositionLoopThatStaysBehind) {
+  FlightOptions options = flight_of("quad2kg", ControlLaw::cascade);
+  options.gains.feed_forward = {0, 0, 0};
+  const ReferenceTrack track(testing::line({3, 0, 0}, 8));
+  const Disturbances d{.gain_error = 0.01};
+  const ProvedTube tube = prove_tube(track, options, d, {});
+  ASSERT_FALSE(tube.trouble);
+  testing::Fate weak;
+  weak.gains = options.gains;
+  weak.gains->position.p *= 0.99;
+  const double worst = testing::worst_share(tube, testing::fly(track, options, d, weak));
+  EXPECT_LE(worst, 1);
+  EXPECT_GT(worst, 0.95);
+}
+
 // A start that is off counts where hardly any hovering comes before, and is forgotten after much.
 void expect_start(double off, ControlLaw law) {
   const Disturbances d{.gust_most = 0.2, .start_error = off, .start_speed = off};

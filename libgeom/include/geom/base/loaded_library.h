@@ -38,4 +38,8 @@ class LoadedLibrary {
   void* handle_;
 };
 
+// The function of this name, with the type that its header declares.
+#define SKYWAY_FUNCTION(library, name) \
+  static_cast<decltype(&name)>((library).function(#name))  // NOLINT: a name and its text
+
 }  // namespace geom
