@@ -112,11 +112,11 @@ bool HeldWithin::has_gap(const Polygon& polygon, const Row& row, const Stretch& 
 }
 
 // Whether the polygon, whose edges lie within the boxes, holds a place that none of them does. The
-// boxes' sides cut the rectangle around it into rows. No edge enters what no box covers between two
-// boxes of a row, so that lies inside the polygon as a whole or outside as a whole, with what of
-// the row above lies over it, if no box is between them. So a row is looked at where boxes of the
-// row below end, or flat ones lie between. A low row's place may be one that rounding opened, so
-// the row above it is looked at, too.
+// boxes' sides cut the rectangle around it into rows. A gap is what no box covers between two boxes
+// of a row. No edge enters a gap, so all of it is inside the polygon, or nothing. The same is true
+// of a gap together with one in the row above, unless a box lies between them. So a row's gaps are
+// looked at only where a box ended below them, or a flat one lies. Rounding may open gaps in a low
+// row, so the row above it is looked at, too.
 bool HeldWithin::leaves_gap(const Polygon& polygon, const Aabb& reach) {
   if (near_.size() > kMostGapBoxes) return true;  // not worth looking: it gets boxes of its own
   coming_.clear();

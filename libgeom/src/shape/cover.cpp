@@ -213,9 +213,9 @@ class Slabs {
     return valid(y0, most) ? most : between(y0, good, most);
   }
 
-  // What six halvings find between a slab that is valid, or surely would be, and one that is not.
-  // A slab within a valid one is valid. So the halvings first ask the corner alone that refused a
-  // slab last, and what it does not refuse is looked at once, where they end.
+  // Halves six times between a slab that is valid, or surely would be, and one that is not. Every
+  // slab within a valid one is valid. So the halvings first ask one corner alone, the one that
+  // refused a slab last. The slab where they end is looked at as a whole.
   double between(double y0, double good, double bad) {
     bool guess = true;
     for (double least_bad = bad;;) {

@@ -17,9 +17,10 @@ namespace geom {
 // heights: those that it can be near, and all that it can be inside of.
 class SlackGauge {
  public:
-  // A point that is this near to an edge, as doubles count, is within the slack with the rectangle
-  // that is rounded outward around it. A slack is at least 1e-6 m and 1e-9 of the coordinates, so
-  // distances are rounded by less than 1e-5 of it, and rectangles by 1e-9 m and 2e-6 of it.
+  // Doubles tell how near a point is to an edge. At most this near, the rectangle that is rounded
+  // outward around the point stays within the slack. A slack is at least 1e-6 m and 1e-9 of the
+  // coordinates, so distances are rounded by less than 1e-5 of it, and rectangles by 1e-9 m and
+  // 2e-6 of it.
   static double surely_near(double slack) { return (1 - 2e-5) * slack - 2e-9; }
 
   SlackGauge(double slack, std::size_t rings);

@@ -62,8 +62,8 @@ Frame<S> frame_of(const TiltedBody<S>& body, const Wanted<S>&) {
 // What holds during a millisecond.
 template <class S>
 struct Held : VehicleFactors<S> {
-  S thrust{};               // m/s2 that is asked for,
-  std::optional<S> beyond;  // and by how much that is beyond the size of a TiltedBody's lift
+  S thrust{};               // m/s2 that is asked for
+  std::optional<S> beyond;  // m/s2: the thrust minus the lift's size, for a TiltedBody
   Triple<S> spin;           // rad/s2 that are asked for
   Triple<S> wind;
 };

@@ -1,7 +1,6 @@
 """hover_test.py BIN_DIR [MUTANTS [SEED]]: verify_hover.py confirms certificates of hovers, and refuses those that claim too little.
 
-Of so many changed certificates (2 without a number) each is refused, or what it claims is still true: flights under gusts that run from one end to the
-other stay within it.
+It changes certificates, too, 2 if no number is given. A changed one is refused, or flights in gusts that run from one end to the other stay within it.
 """
 
 import collections

@@ -20,8 +20,8 @@ UP = 1 + 1e-14
 
 
 def named(claim):
-    """Errors that a period names, in groups of three kinds each: of the wanted rates, the torques, and the velocity; and with noise what each run of the
-    position loop reads."""
+    """Errors that a period names, in groups of three kinds each: of the wanted rates, the torques, and the velocity. With noise, each run of the position
+    loop has an error of what it reads."""
     return [3, 3 * claim.period, 3, *[3 * -(-claim.period // claim.position_period)] * claim.is_noisy]
 
 

@@ -14,8 +14,7 @@ WHOLE = 0.2  # s of which all is kept, before it grows old
 
 
 def named(claim):
-    """Errors that a period names, in groups of three kinds each: those of the torques, and that of a lift that is asked for by noise or gains that are
-    off."""
+    """Errors that a period names, in groups of three kinds each: those of the torques. Noise and gains that are off make an error of the lift, too."""
     return [3 * claim.period, *[3] * (claim.is_noisy or claim.gain_error > 0)]
 
 
@@ -154,7 +153,7 @@ class Period(Plant):
         self.commands.append(self.motors(self.wanted.size * seen.z[2]))
 
     def take_back(self, noise, millisecond):
-        """What the next reading takes of this noise out of the low pass: a share of what it put in. What stays then is smaller, and so this is more."""
+        """A reading puts noise into the low pass, and the next one takes a share of it out again. Here that share is taken out beforehand."""
         claim, more = self.claim, FILTER_SHARE * FILTER_SHARE / (1 - FILTER_SHARE) / STEP
         for i in range(3):
             gain = claim.rates[i] + FILTER_SHARE / STEP * claim.lead[i]

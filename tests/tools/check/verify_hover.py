@@ -155,7 +155,8 @@ class Hover:
         self.phases, self.summed = list(zip(begins, [*begins[1:], None])), sorted(self.boxes)
 
     def take(self, sums):
-        """What is held, the start and gusts do to each form, and to the place: (distance of the middle and what balls do, what intervals do along each axis)."""
+        """Notes what the held symbols, the start and gusts do to each form and to the place. Of the place it notes a distance, of the middle and all
+        balls, and what intervals do along each axis."""
         most, halves, from_axis = self.loop.gust_most, self.halves, 3 if self.is_ball else 0
         bounds, responses = self.linear[-1], sums.responses_of_forms()
         for i, (r, gusts) in enumerate(zip(responses, sums.gust_sums)):
@@ -174,7 +175,7 @@ class Hover:
         return all(DIED * swing(row, most) <= max(now, ONE >> 60) for row, now in zip(powers[:self.place.stop], self.linear[-1]))
 
     def left(self, bounds):
-        """Of the coordinates that the map has, what may be left of all that was before the sums: their deviation less what the sums have of what is held."""
+        """Bounds of what came before the sums: a deviation less what is held. Both are within the coordinate's bound, so it is at most twice that."""
         return [*(2 * b for b in bounds[:self.count - 3]), *[self.loop.gust_most] * 3]
 
     # What is not.
