@@ -30,6 +30,7 @@ LAWS = {"geometric": Geometric}
 SLACK, SPIN_SLACK = fixed_up(F(1, 10**9)), fixed_up(F(1, 10**7))  # in each coordinate and period, and in angular accelerations (docs/tube.md)
 PHASES = (0, 1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 17, 20, 25, 30, 40, 60, 100, 180, 340, 700)  # periods from which on other bounds of the coordinates hold
 DIED = 200  # a power has died away when it makes at most this part of each sum
+ACTED = 100  # periods, in which all disturbances have begun to act
 LONGEST = 6000  # periods, until which it must have
 LARGEST = ONE << 20  # of sums
 ROUNDS = 30  # of larger bounds, then there are none
@@ -146,7 +147,7 @@ class Hover:
                 self.begins.append(k)
                 self.linear.append([0] * len(self.forms))
             self.take(sums)
-            if group_begins(k) and self.has_died_away(sums.powers):
+            if k >= ACTED and group_begins(k) and self.has_died_away(sums.powers):
                 break  # the last group is for all periods from here on
             require(k < LONGEST and max(self.linear[-1]) < LARGEST, "its loop hardly damps, or its gusts last too long")
             sums.advance()
