@@ -20,6 +20,7 @@ std::optional<geom::GroundModel> take_ground(const cli::TerrainOption& option,
   method.ground_model = {std::filesystem::path(path).filename().string(),
                          traj::listed_file(traj::kGroundFile, text).sha256};
   method.terrain_error = option.error();
+  method.surface = option.surface();
   folder.add(traj::kGroundFile, text);
   // The proof is of the folder's copy, even if the file is changed meanwhile.
   return geom::read_ground(folder.place_of(traj::kGroundFile));

@@ -109,6 +109,7 @@ JsonLine json_of(const SubmissionMethod& method) {
   if (method.ground_model) {
     out.add("ground_model", json_of(*method.ground_model))
         .add("terrain_error", method.terrain_error);
+    if (method.surface) add(out, *method.surface);
   }
   if (method.energy) out.add("energy", json_of(*method.energy));
   geom::add(out, method.limits);
@@ -256,7 +257,13 @@ SubmissionMethod read_method(const JsonFields& fields, std::string_view source) 
   out.ground = number_or_nothing(fields, "ground", -1e5, 1e5);
   if (fields.has("ground_model")) {
     out.ground_model = read_source_file(fields.value("ground_model"), source);
-    out.terrain_error = number(fields, "terrain_error", 0, 1e3);
+    out.terrain_error = number_or_nothing(fields, "terrain_error", 0, 1e3);
+    if (fields.has(kSurfaceBandKey)) out.surface = read_surface_band(fields);
+    if (!out.terrain_error && !out.surface) {
+      fields.refuse({.key = "ground_model",
+                     .expected = fmt::format("terrain_error or {} beside it", kSurfaceBandKey),
+                     .found = "neither"});
+    }
   }
   if (fields.has("energy")) out.energy = read_energy(member(fields, "energy", source));
   out.endurance = number_or_nothing(fields, "endurance", 1e-9, 1e9);

@@ -278,12 +278,25 @@ class Page {
   // What decides how high a mission above terrain is flown, and is in no file.
   void assume_terrain() {
     TerrainClaim most;
+    double seen = 0;  // the widest band of those that follow the surface
     for (const FlightClaims& one : flights_) {
       if (!one.terrain) continue;
+      if (one.terrain->surface) {
+        seen = std::max(seen, one.terrain->band);
+        continue;
+      }
       most.spacing = std::max(most.spacing, one.terrain->spacing);
       most.lag = std::max(most.lag, one.terrain->lag);
       most.band = std::max(most.band, one.terrain->band);
     }
+    if (seen > 0) {
+      item(fmt::format("An aircraft that follows the surface as its sensors see it stays {:g} to "
+                       "{:g} m above the ground of terrain.ground, wherever roofs and trees lead "
+                       "it. Its maker states no such bound: the operator does. This makes a band "
+                       "of heights of up to {:.1f} m, which is what was proved clear.",
+                       method_.surface->low, method_.surface->high, seen));
+    }
+    if (most.band == 0) return;
     item(
         fmt::format("Heights above terrain count from the autopilot's own terrain, which is within "
                     "{:g} m of the ground at its posts, {:g} m apart. The ground is as "
@@ -291,7 +304,7 @@ class Page {
                     "clamps no height, and follows no rangefinder. The vehicle is up to "
                     "{:g} m behind its terrain. All of this makes a band of heights of up to "
                     "{:.1f} m, which is what was proved clear.",
-                    method_.terrain_error, most.spacing, most.lag, most.band));
+                    *method_.terrain_error, most.spacing, most.lag, most.band));
   }
 
   double widest_tube() const {

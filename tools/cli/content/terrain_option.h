@@ -1,6 +1,7 @@
 #pragma once
 
-// --ground-model and --terrain-error: what a mission's heights above terrain count from.
+// --ground-model, --terrain-error and --surface-band: what a mission's heights above terrain, or
+// above the surface that an aircraft sees, count from.
 
 #include <CLI/CLI.hpp>
 #include <optional>
@@ -15,7 +16,7 @@ class TerrainOption {
  public:
   void add_to(CLI::App& app);
 
-  // Throws UsageError for one without the other, and beside a flat ground in the rules.
+  // Throws UsageError for the ground or one of the others alone, and beside a flat ground in the rules.
   void refuse_idle(const traj::MissionRules& rules) const;
 
   // Reads the ground, where it was given, once. Throws InputError where it is that of another map.
@@ -24,13 +25,15 @@ class TerrainOption {
 
   // The file of the ground; empty where there is none.
   std::string file() const;
-  // Whether the ground was given, and the metres of --terrain-error.
+  // Whether the ground was given, the metres of --terrain-error, and --surface-band.
   bool any() const { return !word_.empty(); }
-  double error() const { return error_.value_or(0); }
+  std::optional<double> error() const { return error_; }
+  std::optional<traj::SurfaceBand> surface() const { return surface_; }
 
  private:
   std::string word_;
   std::optional<double> error_;
+  std::optional<traj::SurfaceBand> surface_;
   std::optional<geom::GroundModel> ground_;
 };
 

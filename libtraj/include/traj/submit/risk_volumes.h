@@ -18,7 +18,7 @@
 #include "geom/map/frame.h"
 #include "geom/record/volume4d.h"
 #include "traj/mission/airspace/volume_around.h"
-#include "traj/mission/mavlink/terrain_rules.h"
+#include "traj/mission/flown/terrain_rules.h"
 #include "traj/submit/risk_rules.h"
 
 namespace traj {

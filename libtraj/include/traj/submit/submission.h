@@ -55,7 +55,8 @@ struct SubmissionMethod {
   std::optional<std::string> geoid_grid;   // the operator's name of geoid.gtx, in place of this
   std::optional<double> ground;            // m in the map's z: where missions take off
   std::optional<SourceFile> ground_model;  // below missions above terrain: terrain.ground
-  double terrain_error = 0;                // m that the autopilot's terrain may be off that ground
+  std::optional<double> terrain_error;     // m that the autopilot's terrain may be off that ground
+  std::optional<SurfaceBand> surface;      // above that ground, of aircraft that follow the surface
   std::optional<Energy> energy;            // of the vehicle's profile
   std::optional<double> endurance;         // s, as the operator says
   std::optional<std::string> begins;       // of missions, which have no times: the first instant

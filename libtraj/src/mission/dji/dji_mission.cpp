@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "geom/base/error.h"
 #include "mission/flown/flown_regions.h"
+#include "surface_heights.h"
 
 namespace traj {
 namespace {
@@ -18,6 +20,7 @@ constexpr double kRises = 50;           // m from home: nearer, some return with
 constexpr double kReturns = 20;         // m from home: nearer, some land where they are
 constexpr double kLegShare = 0.45;      // that a turn which is written may take
 constexpr double kSlack = 0.01;         // m, by which turns of a leg may seem to meet
+constexpr double kPiece = 25;           // m, of a leg over the surface that has one band of heights
 constexpr int kStartsLow[] = {60, 89};  // M300, M350: they do not rise to the security height
 
 double to_1e9(double degrees) { return std::round(degrees * 1e9) / 1e9; }
@@ -47,6 +50,7 @@ class DjiFlight {
   DjiFlight(const DjiMission& mission, const MissionFrame& frame, const DjiRules& rules,
             std::string_view source)
       : mission_(mission), frame_(frame), rules_(rules), earth_(frame.origin), source_(source) {
+    set_surface();
     set_home();
   }
 
@@ -66,11 +70,12 @@ class DjiFlight {
     flown_.path_stray = kMissionStray;
     flown_.idle_items = mission_.actions;
     flown_.return_height = mission_.return_height;
+    claim_surface();
     return std::move(flown_);
   }
 
  private:
-  // At a point of the path.
+  // At a point of the way.
   struct Turn {
     std::size_t at = 0;
     std::size_t item = 0;
@@ -94,8 +99,54 @@ class DjiFlight {
     return p;
   }
 
+  const DjiWaypoint& first_waypoint() const { return mission_.waylines.front().waypoints.front(); }
+
+  // Where its waylines follow the surface.
+  void set_surface() {
+    const auto follows = [](const DjiWayline& one) {
+      return one.heights == DjiHeights::above_surface;
+    };
+    const DjiWaypoint& first = first_waypoint();
+    const auto& waylines = mission_.waylines;
+    if (std::none_of(waylines.begin(), waylines.end(), follows)) return;
+    if (!std::all_of(waylines.begin(), waylines.end(), follows)) {
+      refuse(first, {.expected = "waylines that all follow the surface, or none",
+                     .found = "some that do (executeHeightMode realTimeFollowSurface)"});
+    }
+    if (!rules_.surface || !rules_.surface->surface) {
+      refuse(first, {.expected =
+                         "heights above the ellipsoid or the take-off (executeHeightMode WGS84 or "
+                         "relativeToStartPoint)",
+                     .found = "heights above the surface as the aircraft sees it",
+                     .advice = "no file says how well it keeps them: say between which heights "
+                               "over a height model it stays (--ground-model, --surface-band)"});
+    }
+    if (!airframe_of(mission_.aircraft)) {
+      refuse(first, {.expected = "an aircraft of which is known how fast it climbs",
+                     .found = fmt::format("type {}", mission_.aircraft.type),
+                     .advice = "it climbs and sinks as the surface does"});
+    }
+    surface_.emplace(*rules_.surface, kMissionStray.x() + rules_.around, source_);
+  }
+
+  // What the band of heights came from.
+  void claim_surface() {
+    if (!surface_) return;
+    const geom::GroundModel& ground = *rules_.surface->ground;
+    flown_.terrain = TerrainClaim{.model = ground.is_flat() ? "flat" : ground.spec().hash,
+                                  .band = widest_,
+                                  .surface = rules_.surface->surface};
+    const DjiAirframe& airframe = *airframe_of(mission_.aircraft);
+    double rise = flown_.path.front().z() - home_.z();
+    for (std::size_t i = 1; i < flown_.path.size(); ++i) {
+      rise += std::abs(flown_.path[i].z() - flown_.path[i - 1].z());
+    }
+    for (const double hold : flown_.hold) seconds_ += hold;
+    flown_.seconds_over_terrain = seconds_ + rise / std::min(airframe.climb, airframe.descent);
+  }
+
   void set_home() {
-    const DjiWaypoint& first = mission_.waylines.front().waypoints.front();
+    const DjiWaypoint& first = first_waypoint();
     const auto& planned = mission_.takeoff;
     if (!rules_.ground && !(planned && frame_.height_known)) {
       refuse(first, {.says = fmt::format(
@@ -115,6 +166,10 @@ class DjiFlight {
   }
 
   Vec3 place(const DjiWayline& wayline, const DjiWaypoint& waypoint) const {
+    if (surface_) {
+      const Vec3 p = on_map(waypoint.latitude, waypoint.longitude, 0, waypoint.line);
+      return at_height(p, heights_at(p).middle());
+    }
     const bool above_takeoff = wayline.heights == DjiHeights::above_takeoff;
     if (!above_takeoff && !frame_.height_known) {
       refuse(
@@ -130,10 +185,41 @@ class DjiFlight {
 
   static Vec3 at_height(const Vec3& p, double z) { return {p.x(), p.y(), z}; }
 
+  HeightRange heights_at(const Vec3& p) const { return surface_->over(std::array{p}); }
+
   void go(const Vec3& p, Manoeuvre manoeuvre, double hold) {
+    if (surface_ && !flown_.path.empty()) flown_.leg_band.push_back(0);
     flown_.path.push_back(p);
     flown_.hold.push_back(hold);
     flown_.legs.push_back({item_, manoeuvre});
+    way_.push_back(p);
+  }
+
+  // A straight leg at heights over the surface, in pieces: each has its band around the path.
+  void go_along_surface(const Vec3& to, double hold) {
+    const Vec3 from = flown_.path.back();
+    const double pieces = std::max(1.0, std::ceil((to - from).head<2>().norm() / kPiece));
+    for (double k = 1; k <= pieces; ++k) {
+      const Vec3 before = flown_.path.back();
+      Vec3 p = k == pieces ? to : Vec3(from + (to - from) * (k / pieces));
+      p.z() = heights_at(p).middle();
+      const HeightRange heights = surface_->over(std::array{before, p});
+      flown_.path.push_back(p);
+      flown_.hold.push_back(k == pieces ? hold : 0);
+      flown_.legs.push_back({item_, Manoeuvre::leg});
+      flown_.leg_band.push_back(std::max(heights.high - std::min(before.z(), p.z()),
+                                         std::max(before.z(), p.z()) - heights.low));
+      widest_ = std::max(widest_, heights.high - heights.low);
+    }
+    way_.push_back(to);
+  }
+
+  // Anywhere in an upright face between two places, at a height that nobody knows.
+  void sweep_face(const Vec3& a, const HeightRange& over_a, const Vec3& b,
+                  const HeightRange& over_b, Manoeuvre manoeuvre) {
+    flown_.sweeps.push_back({{at_height(a, over_a.low), at_height(a, over_a.high),
+                              at_height(b, over_b.low), at_height(b, over_b.high)},
+                             {item_, manoeuvre}});
   }
 
   // To a place where it may be already.
@@ -148,12 +234,23 @@ class DjiFlight {
     const bool safely = mission_.approach == DjiApproach::safely;
     const bool starts_low = std::find(std::begin(kStartsLow), std::end(kStartsLow),
                                       mission_.aircraft.type) != std::end(kStartsLow);
-    if (starts_low && (!safely || first.z() < security)) {
+    const HeightRange over_first = surface_ ? heights_at(first) : HeightRange{first.z(), first.z()};
+    if (starts_low && (!safely || over_first.low < security)) {
       refuse(waypoint, {.says = fmt::format(
                             "an aircraft of type {} does not rise to takeOffSecurityHeight before "
                             "it flies to the first waypoint: expected flyToWaylineMode safely, and "
                             "that waypoint at least {} m above the take-off",
                             mission_.aircraft.type, mission_.security_height)});
+    }
+    if (surface_) {
+      const double top = std::max(security, over_first.high);
+      reach(at_height(home_, security), Manoeuvre::takeoff);
+      reach(at_height(first, security), Manoeuvre::leg);
+      go(first, Manoeuvre::leg, 0);
+      // It rises to a height that the surface decides, before or after it goes there.
+      sweep_face(home_, {security, top}, first, {std::min(security, over_first.low), top},
+                 Manoeuvre::leg);
+      return say_speed(mission_.transit_speed, first - home_);
     }
     const double rises_to = safely ? std::max(security, first.z()) : security;
     reach(at_height(home_, rises_to), Manoeuvre::takeoff);
@@ -163,9 +260,17 @@ class DjiFlight {
   }
 
   void go_on(const DjiWayline& wayline, const DjiWaypoint& last) {
-    const Vec3 from = flown_.path.back();
-    const std::size_t begun = flown_.path.size() - 1;
+    const Vec3 from = way_.back();
+    const std::size_t begun = way_.size() - 1;
     const Vec3 first = place(wayline, wayline.waypoints.front());
+    if (surface_) {
+      // It may follow the surface here, or fly level or straight between any heights of the ends.
+      const HeightRange all = surface_->over(std::array{from, first});
+      sweep_face(from, all, first, all, Manoeuvre::leg);
+      go_along_surface(first, 0);
+      require_room(begun, last, wayline.waypoints.front());
+      return say_speed(mission_.transit_speed, first - from);
+    }
     if (mission_.approach == DjiApproach::safely) {
       const double z = std::max(from.z(), first.z());
       reach(at_height(from, z), Manoeuvre::climb);
@@ -178,8 +283,8 @@ class DjiFlight {
 
   // For turns where one wayline ends and the next begins.
   void require_room(std::size_t begun, const DjiWaypoint& last, const DjiWaypoint& first) const {
-    const auto leg = [&](std::size_t to) { return (flown_.path[to] - flown_.path[to - 1]).norm(); };
-    const std::size_t end = flown_.path.size() - 1;
+    const auto leg = [&](std::size_t to) { return (way_[to] - way_[to - 1]).norm(); };
+    const std::size_t end = way_.size() - 1;
     if (end == begun) {
       require_apart(last, first, 0);
     } else if (end == begun + 1) {
@@ -196,10 +301,14 @@ class DjiFlight {
     take_turn(waypoints.front());
     for (std::size_t i = 1; i < waypoints.size(); ++i) {
       const Vec3 p = place(wayline, waypoints[i]);
-      require_apart(waypoints[i - 1], waypoints[i], (p - flown_.path.back()).norm());
-      go(p, Manoeuvre::leg, waypoints[i].hover);
+      require_apart(waypoints[i - 1], waypoints[i], (p - way_.back()).norm());
+      if (surface_) {
+        go_along_surface(p, waypoints[i].hover);
+      } else {
+        go(p, Manoeuvre::leg, waypoints[i].hover);
+      }
       take_turn(waypoints[i]);
-      say_speed(waypoints[i - 1].speed);
+      say_speed(waypoints[i - 1].speed, p - way_[way_.size() - 2]);
     }
   }
 
@@ -215,24 +324,29 @@ class DjiFlight {
   // At the waypoint where it is; counts it.
   void take_turn(const DjiWaypoint& waypoint) {
     if (waypoint.turn != DjiTurn::stop) {
-      turns_.push_back({flown_.path.size() - 1, item_, &waypoint});
+      turns_.push_back({way_.size() - 1, item_, &waypoint});
     }
     ++item_;
   }
 
   void sweep(const Turn& turn) {
-    if (turn.at == 0 || turn.at + 1 >= flown_.path.size()) return;
-    const Vec3& from = flown_.path[turn.at - 1];
-    const Vec3& corner = flown_.path[turn.at];
-    const Vec3& to = flown_.path[turn.at + 1];
+    if (turn.at == 0 || turn.at + 1 >= way_.size()) return;
+    const Vec3& from = way_[turn.at - 1];
+    const Vec3& corner = way_[turn.at];
+    const Vec3& to = way_[turn.at + 1];
     const double radius = turn.waypoint->damping;
     const bool early = turn.waypoint->turn == DjiTurn::early;
-    flown_.sweeps.push_back(
-        {early ? corner_hull(from, corner, to, radius, 0) : through_hull(from, corner, to, radius),
-         {turn.item, Manoeuvre::corner}});
+    Hull hull =
+        early ? corner_hull(from, corner, to, radius, 0) : through_hull(from, corner, to, radius);
+    if (surface_) hull = surface_->raised(hull);
+    flown_.sweeps.push_back({std::move(hull), {turn.item, Manoeuvre::corner}});
   }
 
-  void say_speed(double speed) { flown_.speed = std::max(flown_.speed.value_or(0), speed); }
+  // Of a leg, for an estimate of the time over the surface.
+  void say_speed(double speed, const Vec3& leg = Vec3::Zero()) {
+    flown_.speed = std::max(flown_.speed.value_or(0), speed);
+    seconds_ += leg.head<2>().norm() / speed;
+  }
 
   void end() {
     --item_;  // the last waypoint
@@ -250,6 +364,7 @@ class DjiFlight {
     const double away = (last - home_).head<2>().norm();
     flown_.returns = !height || away < kReturns;
     if (flown_.returns) return;
+    if (surface_) return return_from_surface(last, *height);
     const double z = std::max(last.z(), home_.z() + *height);
     reach(at_height(last, z), Manoeuvre::climb);
     reach(at_height(home_, z), Manoeuvre::return_home);
@@ -257,6 +372,22 @@ class DjiFlight {
       const Hull heights{last, at_height(last, z), at_height(home_, last.z()), at_height(home_, z)};
       flown_.sweeps.push_back({heights, {item_, Manoeuvre::return_home}});
     }
+    flown_.ends.landing_on = home_.z();
+    flown_.returns_at = height;
+    flown_.speed_before_return = flown_.speed;
+    flown_.speed.reset();  // that of the return is the aircraft's own
+  }
+
+  // It begins anywhere in the band there, and so returns at any of the heights to which it rises.
+  void return_from_surface(const Vec3& last, double height) {
+    const HeightRange begins = heights_at(last);
+    const HeightRange returns{std::max(begins.low, home_.z() + height),
+                              std::max(begins.high, home_.z() + height)};
+    reach(at_height(last, returns.high), Manoeuvre::climb);
+    reach(at_height(home_, returns.high), Manoeuvre::return_home);
+    const bool near = (last - home_).head<2>().norm() < kRises;
+    sweep_face(last, {begins.low, returns.high}, home_,
+               {near ? begins.low : returns.low, returns.high}, Manoeuvre::return_home);
     flown_.ends.landing_on = home_.z();
     flown_.returns_at = height;
     flown_.speed_before_return = flown_.speed;
@@ -271,6 +402,10 @@ class DjiFlight {
   Vec3 home_ = Vec3::Zero();  // where it stands before
   std::size_t item_ = 0;      // the waypoint that it flies to
   std::vector<Turn> turns_;
+  geom::Polyline way_;  // the path without the points between which the surface is followed
+  std::optional<SurfaceHeights> surface_;
+  double widest_ = 0;   // m, of its bands
+  double seconds_ = 0;  // that it takes over the surface, an estimate
   FlownDji flown_;
 };
 

@@ -145,6 +145,7 @@ class TemplateReader {
   // Where both count from the same zero.
   void hold_waypoint_height(const WpmlFields& folder, const WpmlFields& placemark,
                             const DjiWayline& wayline, const DjiWaypoint& flown) const {
+    if (wayline.heights == DjiHeights::above_surface) return;
     if (wayline.heights == DjiHeights::ellipsoid) {
       return hold_metres(placemark, "wpml:ellipsoidHeight", flown.height);
     }

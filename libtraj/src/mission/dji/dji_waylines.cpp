@@ -151,14 +151,8 @@ class WaylinesReader {
          {"Placemark"}});
     const std::string heights = folder.word(
         "wpml:executeHeightMode", {"WGS84", "relativeToStartPoint", "realTimeFollowSurface"});
-    if (heights == "realTimeFollowSurface") {
-      folder.refuse(
-          folder.child("wpml:executeHeightMode"),
-          {.expected =
-               "heights above the ellipsoid or the take-off (WGS84 or relativeToStartPoint)",
-           .found = "heights above the surface as the aircraft sees it"});
-    }
-    require_off(folder, "wpml:realTimeFollowSurfaceByFov");
+    const bool follows = heights == "realTimeFollowSurface";
+    if (!follows) require_off(folder, "wpml:realTimeFollowSurfaceByFov");
     if (folder.find("wpml:waylineId")) {
       const int id = folder.whole("wpml:waylineId");
       if (id <= last_id_) {
@@ -171,7 +165,9 @@ class WaylinesReader {
     }
     DjiWayline wayline;
     wayline.template_id = folder.whole("wpml:templateId");
-    wayline.heights = heights == "WGS84" ? DjiHeights::ellipsoid : DjiHeights::above_takeoff;
+    wayline.heights = follows              ? DjiHeights::above_surface
+                      : heights == "WGS84" ? DjiHeights::ellipsoid
+                                           : DjiHeights::above_takeoff;
     const double usual = speed(folder, "wpml:autoFlightSpeed");
     if (const XmlElement* start = folder.find("wpml:startActionGroup")) take_actions(*start);
     for (const XmlElement* placemark : folder.all("Placemark")) {

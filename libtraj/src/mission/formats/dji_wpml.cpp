@@ -16,6 +16,25 @@
 namespace traj {
 namespace {
 
+// What nobody but its operator says of heights above the surface.
+std::string surface_note(const DjiMission& mission, const TerrainClaim& terrain) {
+  const auto [low, high] = *terrain.surface;
+  std::string out = fmt::format(
+      "the aircraft follows the surface as it sees it, roofs and trees included: what was looked at "
+      "is a band of up to {:.1f} m, for an aircraft that stays {:g} to {:g} m above the ground of "
+      "the height model",
+      terrain.band, low, high);
+  for (const DjiWayline& wayline : mission.waylines) {
+    for (const DjiWaypoint& one : wayline.waypoints) {
+      if (one.height < low || one.height > high) {
+        return out + fmt::format("; its file names {:g} m (executeHeight), which is not there",
+                                 one.height);
+      }
+    }
+  }
+  return out;
+}
+
 std::vector<std::string> notes_of(const DjiMission& mission, const DjiRules& rules,
                                   const FlownDji& flown) {
   std::vector<std::string> notes;
@@ -24,6 +43,7 @@ std::vector<std::string> notes_of(const DjiMission& mission, const DjiRules& rul
       flown.home_place.latitude, flown.home_place.longitude,
       flown.home_is_said ? "the file's takeOffRefPoint" : "below the first waypoint",
       *flown.ends.takeoff_from));
+  if (flown.terrain) notes.push_back(surface_note(mission, *flown.terrain));
   if (mission.finish == DjiFinish::hover) {
     notes.emplace_back("the flight ends without landing: the aircraft hovers");
   }
@@ -54,7 +74,8 @@ std::vector<std::string> notes_of(const DjiMission& mission, const DjiRules& rul
 
 ReadFlights read(std::istream& in, const ReadTask& task) {
   const DjiMission mission = read_dji_kmz(in, task.source);
-  const DjiRules rules{task.how.placement.ground, task.how.rules.return_height};
+  const DjiRules rules{task.how.placement.ground, task.how.rules.return_height,
+                       task.how.rules.terrain, task.how.flier.allowance(true).x()};
   FlownDji flown =
       flown_dji(mission, task.how.placement.mission_frame(task.frame), rules, task.source);
   std::vector<std::string> notes = notes_of(mission, rules, flown);
@@ -170,7 +191,8 @@ constinit const MissionFormat kDjiWpml{
     .prepare = turn_everywhere,
     .mend = turn_less,
     .reads_with = {FileOption::origin, FileOption::ground, FileOption::return_height,
-                   FileOption::navigation, FileOption::tracking},
+                   FileOption::navigation, FileOption::tracking, FileOption::ground_model,
+                   FileOption::surface_band},
     .writes_with = {FileOption::tolerance, FileOption::speed, FileOption::hover, FileOption::ground,
                     FileOption::origin, FileOption::wpml_version, FileOption::aircraft,
                     FileOption::turns, FileOption::start, FileOption::heading,

@@ -48,15 +48,15 @@ TerrainDifference::TerrainDifference(const TerrainRules& rules, const geom::Vec2
                                      double latitude, double spacing, double reach,
                                      std::string_view source)
     : rules_(rules),
+      error_(rules.error.value() + kWholeMetre),
       home_(home),
       spacing_(spacing),
       far_(spacing * (1 + misplaced(latitude, source))),
       reach_(far_ + reach),
       source_(source) {
-  rules_.error += kWholeMetre;
   at_home_ = ground({home, home}, far_);
   const geom::GroundRange around = ground({home, home}, spacing + far_);
-  slope_ = (around.high - around.low + 2 * rules_.error) / spacing;
+  slope_ = (around.high - around.low + 2 * error_) / spacing;
 }
 
 geom::GroundRange TerrainDifference::ground(const geom::Rectangle& region, double around) const {
@@ -86,7 +86,7 @@ double TerrainDifference::furthest(const geom::Rectangle& region) const {
 
 TerrainRange TerrainDifference::over(const geom::Rectangle& region) const {
   const geom::GroundRange here = ground(region, reach_);
-  const double off = geom::add_up(geom::add_up(rules_.error, rules_.error), kUnsaid);
+  const double off = geom::add_up(geom::add_up(error_, error_), kUnsaid);
   TerrainRange out{geom::add_down(geom::add_down(here.low, -at_home_.high), -off),
                    geom::add_up(geom::add_up(here.high, -at_home_.low), off)};
   const double away = furthest(region);

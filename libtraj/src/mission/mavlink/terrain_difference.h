@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "traj/mission/mavlink/terrain_rules.h"
+#include "traj/mission/flown/terrain_rules.h"
 
 namespace traj {
 
@@ -43,6 +43,7 @@ class TerrainDifference {
   geom::GroundRange ground(const geom::Rectangle& region, double around) const;
 
   TerrainRules rules_;
+  double error_ = 0;  // m that its terrain may be off at a post
   geom::Vec2 home_;
   double spacing_;  // m from a place to the posts around it, along each axis,
   double far_;      // and to the places whose heights these have

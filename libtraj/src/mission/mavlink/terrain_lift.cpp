@@ -80,7 +80,7 @@ class Raising {
     const Vec2 home = flown_.home->head<2>();
     difference_.emplace(rules_, home, latitude, claim_.spacing, reach, source);
     find_return(rules.autopilots);
-    claim_.error = rules_.error;
+    claim_.error = rules_.error.value();
     claim_.model = rules_.ground->is_flat() ? "flat" : rules_.ground->spec().hash;
   }
 
@@ -367,6 +367,12 @@ bool counts_from_terrain(const Mission& mission, const MissionRules& rules,
   const bool any = std::any_of(mission.items.begin(), mission.items.end(),
                                [](const MissionItem& one) { return counts_from_terrain(one); });
   if (!any) return false;
+  if (!rules.terrain->error) {
+    throw geom::InputError(
+        source, {.says = "its heights count from terrain, and nobody says how far the autopilot's "
+                         "own may be off the ground",
+                 .advice = "give --terrain-error"});
+  }
   for (const Autopilot& one : rules.autopilots) {
     if (one.follows_terrain) continue;
     throw geom::InputError(

@@ -21,11 +21,12 @@
 #include "geom/text/words.h"
 #include "traj/curve/mission_frame.h"
 #include "traj/mission/flown/flown.h"
+#include "traj/mission/flown/terrain_rules.h"
 
 namespace traj {
 
-// executeHeightMode
-enum class DjiHeights { ellipsoid, above_takeoff };
+// executeHeightMode: WGS84, relativeToStartPoint, realTimeFollowSurface.
+enum class DjiHeights { ellipsoid, above_takeoff, above_surface };
 // flyToWaylineMode
 enum class DjiApproach { safely, point_to_point };
 // finishAction
@@ -38,7 +39,7 @@ enum class DjiTurn { stop, early, through };
 struct DjiWaypoint {
   double latitude = 0;   // degrees
   double longitude = 0;  // degrees
-  double height = 0;     // m, as the wayline's heights count
+  double height = 0;     // m, as the wayline's heights count; above the surface it says nothing
   double speed = 0;      // m/s from here to the next
   double hover = 0;      // s, beside the stop to turn
   std::size_t line = 0;  // where it was read
@@ -162,6 +163,10 @@ struct FlownDji : FlownMission {
 struct DjiRules {
   std::optional<double> ground;         // z of the ground at the take-off, m
   std::optional<double> return_height;  // m above the take-off, where the file does not say it
+  // Between which heights the aircraft stays where it follows the surface (rules->surface), and
+  // metres along each axis that it may be off its way there.
+  std::optional<TerrainRules> surface = {};
+  double around = 0;
 };
 
 // The model, after DJI's documentation of WPML (cloud-api: waylines.wpml, common element):
@@ -182,9 +187,16 @@ struct DjiRules {
 //   file asks for.
 // - goHome rises to globalRTHHeight (else `return_height`) where it is lower, flies level to above
 //   home, and lands. Within 50 m of home some aircraft do not rise: all heights between are swept.
+// - realTimeFollowSurface: DJI says no bound of how the aircraft keeps to the surface, so it is
+//   where `surface` says, whatever executeHeight is. It rises to takeOffSecurityHeight, goes above
+//   the first waypoint and into the band of heights; on the way it may be anywhere in the upright
+//   face between. Each leg is in pieces of at most 25 m, each with the heights over the ground
+//   below it. From one wayline to the next it may be at any height that it may have on the way.
+//   A return begins anywhere in the band, and is flown at any of the heights to which it rises.
 // A return from within 20 m of home, where some land at once, or without a height is no way that is
 // known (`returns`). Nor is gotoFirstWaypoint.
-// Throws geom::InputError(source, line, …) where no ground is known, for places that are not near
+// Throws geom::InputError(source, line, …) where waylines follow the surface and `surface` is not
+// given, others do not, or nobody says how fast the aircraft climbs; where no ground is known, for places that are not near
 // the origin, and where aircraft differ in how they begin: M300 and M350 do not rise to the
 // security height first.
 FlownDji flown_dji(const DjiMission& mission, const MissionFrame& frame, const DjiRules& rules,

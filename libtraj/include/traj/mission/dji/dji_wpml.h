@@ -29,7 +29,7 @@ DjiMission read_dji_kmz(std::istream& in, std::string_view source);
 // The mission of waylines.wpml, which the aircraft executes. The template, which apps make waylines
 // of, may be empty: no template. Throws geom::InputError(source/file, line, …) for text that is not
 // WPML; for elements that are missing, twice, of values out of their range or not known; for what
-// moves the aircraft in a way that is not known (curved legs, heights above the surface, detours,
+// moves the aircraft in a way that is not known (curved legs, detours,
 // calibration flights, actions that are not of cameras, gimbals, yaw or rest); and for a template
 // of waypoints that says another flight.
 DjiMission read_dji_wpml(std::string_view waylines, std::string_view template_kml,

@@ -26,6 +26,7 @@ enum class FileOption {
   terrain,
   ground_model,
   terrain_error,
+  surface_band,
   acceptance,
   braking,
   autopilot,
@@ -58,7 +59,7 @@ enum class FileOption {
   params_out,
   procedure
 };
-inline constexpr std::size_t kFileOptions = 42;
+inline constexpr std::size_t kFileOptions = 43;
 
 // As the tools' options name them, without "--".
 inline constexpr geom::Words<FileOption, kFileOptions> kFileOptionWords{{
@@ -73,6 +74,7 @@ inline constexpr geom::Words<FileOption, kFileOptions> kFileOptionWords{{
     {FileOption::terrain, "terrain-height"},
     {FileOption::ground_model, "ground-model"},
     {FileOption::terrain_error, "terrain-error"},
+    {FileOption::surface_band, "surface-band"},
     {FileOption::acceptance, "acceptance"},
     {FileOption::braking, "braking"},
     {FileOption::autopilot, "autopilot"},

@@ -16,7 +16,7 @@
 #include "traj/mission/firmware/autopilot.h"
 #include "traj/mission/flown/flown.h"
 #include "traj/mission/mavlink/mission.h"
-#include "traj/mission/mavlink/terrain_rules.h"
+#include "traj/mission/flown/terrain_rules.h"
 
 namespace traj {
 

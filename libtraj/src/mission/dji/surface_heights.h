@@ -1,0 +1,43 @@
+#pragma once
+
+// How high an aircraft may be that follows the surface below it as its sensors see it.
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "mission/flown/flown_regions.h"
+#include "traj/mission/flown/terrain_rules.h"
+
+namespace traj {
+
+struct HeightRange {
+  double low = 0;
+  double high = 0;
+
+  double middle() const { return (low + high) / 2; }
+};
+
+// What its operator says of it: how far it is over the ground that the model has below it.
+class SurfaceHeights {
+ public:
+  // `around`: metres, along each axis, that the aircraft may be from the places that are asked for.
+  // Precondition: rules.surface.
+  SurfaceHeights(const TerrainRules& rules, double around, std::string_view source)
+      : rules_(rules), around_(around), source_(source) {}
+
+  // z anywhere over the rectangle that holds these places (in ENU), rounded outward. Throws
+  // geom::InputError(source, …) where the model does not know the ground there.
+  HeightRange over(std::span<const Vec3> places) const;
+
+  // All places over that rectangle's hull at these heights: each place at the lowest and at the
+  // highest.
+  Hull raised(std::span<const Vec3> places) const;
+
+ private:
+  TerrainRules rules_;
+  double around_;
+  std::string source_;
+};
+
+}  // namespace traj
