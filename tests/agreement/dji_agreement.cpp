@@ -1,6 +1,7 @@
 // dji_agreement N [SEED]: N missions of DJI's, each with one obstacle put into the way of one of
 // its parts, 1e-6 to 1 m deep. Where the way is, is worked out here from DJI's documents and
-// another projection (GeographicLib's exact one). None may pass.
+// another projection (GeographicLib's exact one). A third follows the surface, within a band over
+// ground of a random height model. None may pass.
 
 #include <fmt/format.h>
 
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geom/map/ground_model.h"
 #include "in_the_way.h"
 #include "traj/mission/dji/dji_wpml.h"
 
@@ -33,10 +35,52 @@ std::string element(const std::string& name, double value) {
 Vec3 at_height(const Vec3& p, double z) { return {p.x(), p.y(), z}; }
 double plan_distance(const Vec3& a, const Vec3& b) { return (a - b).head<2>().norm(); }
 
+// Ground that is known within metres, under a vehicle that follows it.
+class Surface {
+ public:
+  explicit Surface(Random& random) : random_(random), ground_(ground_of(random)) {
+    band_.low = random.uniform(5, 40);
+    band_.high = band_.low + random.uniform(0, 30);
+  }
+
+  traj::TerrainRules rules() const { return {&ground_, geom::Axes::enu, {}, band_}; }
+
+  // Where the vehicle may be above or below the point.
+  Vec3 followed(const Vec3& p) {
+    const auto cell = [](double at) { return static_cast<std::size_t>((at + kReach) / kCell); };
+    const std::size_t at = cell(p.y()) * kCells + cell(p.x());
+    const double ground = random_.uniform(ground_.lows()[at], ground_.highs()[at]);
+    return at_height(p, ground + random_.uniform(band_.low, band_.high));
+  }
+
+ private:
+  static constexpr double kReach = 260;
+  static constexpr double kCell = 13;
+  static constexpr std::size_t kCells = 40;
+
+  static geom::GroundModel ground_of(Random& random) {
+    std::vector<double> low;
+    std::vector<double> high;
+    for (std::size_t i = 0; i < kCells * kCells; ++i) {
+      low.push_back(kGround + random.uniform(0, 20));
+      high.push_back(low.back() + random.uniform(0, 5));
+    }
+    return {{.corner = {-kReach, -kReach}, .cell = kCell, .columns = kCells, .rows = kCells},
+            std::move(low),
+            std::move(high)};
+  }
+
+  Random& random_;
+  geom::GroundModel ground_;
+  traj::SurfaceBand band_;
+};
+
 // A mission as text, and a point of its way as this program works that out.
 class Case {
  public:
-  explicit Case(Random& random) : random_(random), safely_(random.below(2)) {}
+  explicit Case(Random& random) : random_(random), safely_(random.below(2)) {
+    if (random.below(3) == 0) surface_.emplace(random);
+  }
 
   Attack make() {
     security_ = random_.below(2) ? random_.uniform(2, 60) : 2;
@@ -47,6 +91,10 @@ class Case {
     for (int i = 0; i < waylines; ++i) fly(i);
     if (random_.below(2)) return_home();
     return attacks_[static_cast<std::size_t>(random_.below(static_cast<int>(attacks_.size())))];
+  }
+
+  traj::DjiRules rules() const {
+    return {.surface = surface_ ? std::optional(surface_->rules()) : std::nullopt};
   }
 
   std::string text() const {
@@ -90,7 +138,7 @@ class Case {
     std::string waypoints;
     for (int i = 0; i < count; ++i) {
       Vec3 p = somewhere();
-      if (i > 0 && (p - points.back()).norm() < 10) p.x() += 20;
+      if (i > 0 && plan_distance(p, points.back()) < 10) p.x() += 20;
       const auto degrees = place(p);
       const int turn = i == 0 || i + 1 == count ? 0 : random_.below(3);
       turns_.push_back(turn);
@@ -103,16 +151,27 @@ class Case {
                    turn_text(turn, dampings_.back()) + "</Placemark>\n";
     }
     folders_ += "<Folder>" + element("templateId", std::to_string(number)) +
-                element("executeHeightMode", ellipsoid ? "WGS84" : "relativeToStartPoint") +
+                element("executeHeightMode", surface_    ? "realTimeFollowSurface"
+                                             : ellipsoid ? "WGS84"
+                                                         : "relativeToStartPoint") +
                 element("waylineId", std::to_string(number)) + element("autoFlightSpeed", "5") +
                 waypoints + "</Folder>\n";
+    if (surface_) {
+      if (number > 0) may("along the surface to the next wayline", along(last_, points.front()));
+      for (Vec3& p : points) p = surface_->followed(p);
+    }
     number == 0 ? approach(points.front()) : go_on(points.front());
-    for (std::size_t i = 1; i < points.size(); ++i) may_leg("leg", points[i - 1], points[i]);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const Vec3 p = between(points[i - 1], points[i]);
+      surface_ ? may("leg along the surface", surface_->followed(p)) : may("leg", p);
+    }
     for (std::size_t i = 1; i + 1 < points.size(); ++i) corner(points, i);
     last_ = points.back();
     turns_.clear();
     dampings_.clear();
   }
+
+  Vec3 along(const Vec3& a, const Vec3& b) { return surface_->followed(between(a, b)); }
 
   static std::string turn_text(int turn, double damping) {
     static const char* const kModes[] = {"toPointAndStopWithDiscontinuityCurvature",
@@ -145,9 +204,14 @@ class Case {
   void corner(const std::vector<Vec3>& points, std::size_t i) {
     const Vec3& p = points[i];
     const double radius = dampings_[i];
-    const Vec3 a = p + radius * (points[i - 1] - p).normalized();
-    const Vec3 b = p + radius * (points[i + 1] - p).normalized();
-    if (turns_[i] == 1) may("coordinated turn", between(between(a, b), p));
+    const auto begins = [&](Vec3 other) -> Vec3 {
+      if (surface_) other.z() = p.z();
+      return p + radius * (other - p).normalized();
+    };
+    const Vec3 a = begins(points[i - 1]);
+    const Vec3 b = begins(points[i + 1]);
+    const auto turning = [&](const Vec3& at) { return surface_ ? surface_->followed(at) : at; };
+    if (turns_[i] == 1) may("coordinated turn", turning(between(between(a, b), p)));
     if (turns_[i] != 2) return;
     const double angle = random_.uniform(0, 2 * std::numbers::pi);
     const double away = random_.uniform(0, radius);
@@ -155,7 +219,7 @@ class Case {
     const double high = std::max({a.z(), b.z(), p.z()});
     const double z = random_.uniform(2 * low - high, 2 * high - low);
     may("turn through the waypoint",
-        {p.x() + away * std::cos(angle), p.y() + away * std::sin(angle), z});
+        turning({p.x() + away * std::cos(angle), p.y() + away * std::sin(angle), z}));
   }
 
   void return_home() {
@@ -173,6 +237,7 @@ class Case {
 
   Random& random_;
   bool safely_;
+  std::optional<Surface> surface_;
   double security_ = 2;
   Vec3 home_ = Vec3::Zero();
   std::array<double, 2> takeoff_{};
@@ -184,9 +249,9 @@ class Case {
   std::vector<Attack> attacks_;
 };
 
-traj::FlownMission flown(const std::string& text) {
+traj::FlownMission flown(const std::string& text, const traj::DjiRules& rules) {
   return traj::FlownMission(
-      traj::flown_dji(traj::read_dji_wpml(text, "", "mission"), kFrame, {}, "mission"));
+      traj::flown_dji(traj::read_dji_wpml(text, "", "mission"), kFrame, rules, "mission"));
 }
 
 }  // namespace
@@ -195,6 +260,6 @@ int main(int argc, char** argv) {
   return in_the_way::run(argc, argv, kGround, [](Random& random, int) {
     Case made(random);
     const Attack attack = made.make();
-    return in_the_way::Trial{made.text(), attack, flown(made.text())};
+    return in_the_way::Trial{made.text(), attack, flown(made.text(), made.rules())};
   });
 }

@@ -281,9 +281,12 @@ class DjiFlight {
     say_speed(mission_.transit_speed);
   }
 
+  // Of a leg; over the surface of its plan, which is never longer.
+  double length(const Vec3& leg) const { return surface_ ? leg.head<2>().norm() : leg.norm(); }
+
   // For turns where one wayline ends and the next begins.
   void require_room(std::size_t begun, const DjiWaypoint& last, const DjiWaypoint& first) const {
-    const auto leg = [&](std::size_t to) { return (way_[to] - way_[to - 1]).norm(); };
+    const auto leg = [&](std::size_t to) { return length(way_[to] - way_[to - 1]); };
     const std::size_t end = way_.size() - 1;
     if (end == begun) {
       require_apart(last, first, 0);
@@ -301,7 +304,7 @@ class DjiFlight {
     take_turn(waypoints.front());
     for (std::size_t i = 1; i < waypoints.size(); ++i) {
       const Vec3 p = place(wayline, waypoints[i]);
-      require_apart(waypoints[i - 1], waypoints[i], (p - way_.back()).norm());
+      require_apart(waypoints[i - 1], waypoints[i], length(p - way_.back()));
       if (surface_) {
         go_along_surface(p, waypoints[i].hover);
       } else {
@@ -331,9 +334,10 @@ class DjiFlight {
 
   void sweep(const Turn& turn) {
     if (turn.at == 0 || turn.at + 1 >= way_.size()) return;
-    const Vec3& from = way_[turn.at - 1];
+    Vec3 from = way_[turn.at - 1];
     const Vec3& corner = way_[turn.at];
-    const Vec3& to = way_[turn.at + 1];
+    Vec3 to = way_[turn.at + 1];
+    if (surface_) from.z() = to.z() = corner.z();  // how steep its legs are is not known
     const double radius = turn.waypoint->damping;
     const bool early = turn.waypoint->turn == DjiTurn::early;
     Hull hull =
