@@ -39,7 +39,7 @@ double plan_distance(const Vec3& a, const Vec3& b) { return (a - b).head<2>().no
 class Surface {
  public:
   explicit Surface(Random& random) : random_(random), ground_(ground_of(random)) {
-    band_.low = random.uniform(5, 40);
+    band_.low = random.uniform(15, 40);
     band_.high = band_.low + random.uniform(0, 30);
   }
 
@@ -61,9 +61,14 @@ class Surface {
   static geom::GroundModel ground_of(Random& random) {
     std::vector<double> low;
     std::vector<double> high;
-    for (std::size_t i = 0; i < kCells * kCells; ++i) {
-      low.push_back(kGround + random.uniform(0, 20));
-      high.push_back(low.back() + random.uniform(0, 5));
+    const double east = random.uniform(0, 1);
+    const double north = random.uniform(0, 1);
+    for (std::size_t j = 0; j < kCells; ++j) {
+      for (std::size_t i = 0; i < kCells; ++i) {
+        const auto slope = east * static_cast<double>(i) + north * static_cast<double>(j);
+        low.push_back(kGround + slope + random.uniform(0, 3));
+        high.push_back(low.back() + random.uniform(0, 3));
+      }
     }
     return {{.corner = {-kReach, -kReach}, .cell = kCell, .columns = kCells, .rows = kCells},
             std::move(low),

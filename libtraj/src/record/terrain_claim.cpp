@@ -62,9 +62,10 @@ SurfaceBand read_surface_band(const geom::JsonFields& fields) {
     out = {fields.number(value[0], kSurfaceBandKey), fields.number(value[1], kSurfaceBandKey)};
   }
   if (out.sound()) return out;
-  fields.refuse({.key = kSurfaceBandKey,
-                 .expected = fmt::format("[low, high], 0 < low <= high <= {:g}", SurfaceBand::kMost),
-                 .found = value.dump()});
+  fields.refuse(
+      {.key = kSurfaceBandKey,
+       .expected = fmt::format("[low, high], 0 < low <= high <= {:g}", SurfaceBand::kMost),
+       .found = value.dump()});
 }
 
 }  // namespace traj

@@ -38,9 +38,8 @@ SubmittedFlights::SubmittedFlights(geom::Scenes& scenes, const SubmissionMethod&
   reading_.placement.ground = method.ground;
   if (files.ground) {
     geom::require_same_zero(*files.ground, scenes.map(), kGroundFile);
-    reading_.rules.terrain =
-        TerrainRules{files.ground, scenes.map().spec().frame.axes, method.terrain_error,
-                     method.surface};
+    reading_.rules.terrain = TerrainRules{files.ground, scenes.map().spec().frame.axes,
+                                          method.terrain_error, method.surface};
   }
   if (!files.geoid_grid) return;
   std::istringstream in(*files.geoid_grid);

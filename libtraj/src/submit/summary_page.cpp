@@ -290,11 +290,12 @@ class Page {
       most.band = std::max(most.band, one.terrain->band);
     }
     if (seen > 0) {
-      item(fmt::format("An aircraft that follows the surface as its sensors see it stays {:g} to "
-                       "{:g} m above the ground of terrain.ground, wherever roofs and trees lead "
-                       "it. Its maker states no such bound: the operator does. This makes a band "
-                       "of heights of up to {:.1f} m, which is what was proved clear.",
-                       method_.surface->low, method_.surface->high, seen));
+      item(
+          fmt::format("An aircraft that follows the surface as its sensors see it stays {:g} to "
+                      "{:g} m above the ground of terrain.ground, wherever roofs and trees lead "
+                      "it. Its maker states no such bound: the operator does. This makes a band "
+                      "of heights of up to {:.1f} m, which is what was proved clear.",
+                      method_.surface->low, method_.surface->high, seen));
     }
     if (most.band == 0) return;
     item(

@@ -38,7 +38,7 @@ VALUES = {
     "--downwash": "1,2", "--parked": "gone", "--rate": "20", "--speed": "0.7", "--hover": None, "--wpml-version": "1.0.2",
     "--aircraft": "m30", "--lost-link": "continue", "--gimbal": "-45", "--label-by": "object", "--turns": "3", "--volumes": "3", "--buffer": "2", "--python": "x.py", "--table": "x.csv",
     "--return": "rtl", "--rally": "30,5,10", "--rally-out": "x.rally", "--fence": "auto", "--fence-budget": "20", "--fence-out": "x.fence", "--params-out": "x.params",
-    "--procedure": "x.txt", "--ground-model": "1", "--terrain-error": "3", "--geoid-grid": "g.gtx",
+    "--procedure": "x.txt", "--ground-model": "1", "--terrain-error": "3", "--surface-band": "20,30", "--geoid-grid": "g.gtx",
 }
 # Where the same word means another thing.
 OF_TOOL = {"skyway-check": {"--vmax": "1", "--amax": "2"}, "skyway-cloud": {"--origin": "37.79,-122.39"},

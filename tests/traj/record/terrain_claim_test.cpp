@@ -24,6 +24,27 @@ TEST(TerrainClaim, ComesBackAsItWasWritten) {
   EXPECT_EQ(text_of(read_terrain_claim({text, "c", 1})), text);
 }
 
+TEST(TerrainClaim, ThatFollowsTheSurfaceHasItsBandAlone) {
+  const TerrainClaim claim{.model = "flat", .band = 31, .surface = {{40, 70.5}}};
+  const std::string text = text_of(claim);
+  EXPECT_EQ(text, R"({"model":"flat","surface_band":[40,70.5],"band":31})"
+                  "\n");
+  EXPECT_EQ(text_of(read_terrain_claim({text, "c", 1})), text);
+  const auto refusal = [](const std::string& inside) {
+    const std::string text = R"({"model":"flat","band":31,)" + inside + "}";
+    return support::refusal_of([&] { read_terrain_claim({text, "c", 1}); });
+  };
+  EXPECT_EQ(refusal(R"("surface_band":[40,70],"lag":3)"),
+            "c:1: lag must be none beside surface_band, found 3");
+  for (const char* wrong : {"[0,70]", "[70,40]", "[40]", "[40,10001]", "[40,50,60]"}) {
+    EXPECT_EQ(refusal(std::string(R"("surface_band":)") + wrong),
+              std::string("c:1: surface_band must be [low, high], 0 < low <= high <= 10000, "
+                          "found ") +
+                  wrong);
+  }
+  EXPECT_NE(refusal(R"("surface_band":["a",3])"), "");
+}
+
 TEST(TerrainClaim, RefusesWhatIsMissingOrIsNoLength) {
   const auto refusal = [](const std::string& text) {
     return support::refusal_of([&] { read_terrain_claim({text, "c", 1}); });

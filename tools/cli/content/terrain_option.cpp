@@ -14,9 +14,10 @@ traj::SurfaceBand surface_band_of(const std::string& text) {
   const traj::SurfaceBand band =
       numbers ? traj::SurfaceBand{(*numbers)[0], (*numbers)[1]} : traj::SurfaceBand{};
   if (band.sound()) return band;
-  throw geom::UsageError(fmt::format("--surface-band: expected LOW,HIGH, 0 < LOW <= HIGH <= {:g}, "
-                                     "found \"{}\"",
-                                     traj::SurfaceBand::kMost, text));
+  throw geom::UsageError(
+      fmt::format("--surface-band: expected LOW,HIGH, 0 < LOW <= HIGH <= {:g}, "
+                  "found \"{}\"",
+                  traj::SurfaceBand::kMost, text));
 }
 
 }  // namespace

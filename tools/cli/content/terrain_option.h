@@ -16,7 +16,8 @@ class TerrainOption {
  public:
   void add_to(CLI::App& app);
 
-  // Throws UsageError for the ground or one of the others alone, and beside a flat ground in the rules.
+  // Throws UsageError for the ground or one of the others alone, and beside a flat ground in the
+  // rules.
   void refuse_idle(const traj::MissionRules& rules) const;
 
   // Reads the ground, where it was given, once. Throws InputError where it is that of another map.

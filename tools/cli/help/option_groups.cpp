@@ -57,7 +57,7 @@ constexpr Group kGroups[] = {
      "--acceptance=METRES --braking=METRES/S2 --return-height=METRES --terrain-height=METRES "
      "--autopilot=WORD --params --drag=PER-SECOND check--ground-model=FILE|METRES "
      "view--ground-model=FILE|METRES import-trajectory--ground-model=FILE|METRES "
-     "--terrain-error=METRES"},
+     "--terrain-error=METRES --surface-band=LOW,HIGH"},
     {"Flights together",
      "--together --separation --separation-box --downwash --parked --max-delay=SECONDS --improve "
      "--nearer-than=METRES"},

@@ -20,7 +20,7 @@ constexpr double kRises = 50;           // m from home: nearer, some return with
 constexpr double kReturns = 20;         // m from home: nearer, some land where they are
 constexpr double kLegShare = 0.45;      // that a turn which is written may take
 constexpr double kSlack = 0.01;         // m, by which turns of a leg may seem to meet
-constexpr double kPiece = 25;           // m, of a leg over the surface that has one band of heights
+constexpr double kPiece = 5;            // m, of a leg over the surface that has one band of heights
 constexpr int kStartsLow[] = {60, 89};  // M300, M350: they do not rise to the security height
 
 double to_1e9(double degrees) { return std::round(degrees * 1e9) / 1e9; }
@@ -114,12 +114,12 @@ class DjiFlight {
                      .found = "some that do (executeHeightMode realTimeFollowSurface)"});
     }
     if (!rules_.surface || !rules_.surface->surface) {
-      refuse(first, {.expected =
-                         "heights above the ellipsoid or the take-off (executeHeightMode WGS84 or "
-                         "relativeToStartPoint)",
-                     .found = "heights above the surface as the aircraft sees it",
-                     .advice = "no file says how well it keeps them: say between which heights "
-                               "over a height model it stays (--ground-model, --surface-band)"});
+      refuse(first,
+             {.expected = "heights above the ellipsoid or the take-off (executeHeightMode WGS84 or "
+                          "relativeToStartPoint)",
+              .found = "heights above the surface as the aircraft sees it",
+              .advice = "no file says how well it keeps them: say between which heights "
+                        "over a height model it stays (--ground-model, --surface-band)"});
     }
     if (!airframe_of(mission_.aircraft)) {
       refuse(first, {.expected = "an aircraft of which is known how fast it climbs",

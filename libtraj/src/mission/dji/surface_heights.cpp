@@ -20,11 +20,12 @@ HeightRange SurfaceHeights::over(std::span<const Vec3> places) const {
   const geom::GroundRange ground = rules_.ground->range(at);
   if (!ground.all_known) {
     throw geom::InputError(
-        source_, {.expected = "a height model that knows the ground below the whole way, since the "
-                              "aircraft follows the surface there",
-                  .found = fmt::format("a hole, or its end, at x {:.6g} to {:.6g}, y {:.6g} to {:.6g}",
-                                       at.min.x(), at.max.x(), at.min.y(), at.max.y()),
-                  .advice = "take a larger height model (and map)"});
+        source_,
+        {.expected = "a height model that knows the ground below the whole way, since the "
+                     "aircraft follows the surface there",
+         .found = fmt::format("a hole, or its end, at x {:.6g} to {:.6g}, y {:.6g} to {:.6g}",
+                              at.min.x(), at.max.x(), at.min.y(), at.max.y()),
+         .advice = "take a larger height model (and map)"});
   }
   return {geom::add_down(ground.low, rules_.surface->low),
           geom::add_up(ground.high, rules_.surface->high)};

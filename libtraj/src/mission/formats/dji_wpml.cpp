@@ -20,7 +20,8 @@ namespace {
 std::string surface_note(const DjiMission& mission, const TerrainClaim& terrain) {
   const auto [low, high] = *terrain.surface;
   std::string out = fmt::format(
-      "the aircraft follows the surface as it sees it, roofs and trees included: what was looked at "
+      "the aircraft follows the surface as it sees it, roofs and trees included: what was looked "
+      "at "
       "is a band of up to {:.1f} m, for an aircraft that stays {:g} to {:g} m above the ground of "
       "the height model",
       terrain.band, low, high);

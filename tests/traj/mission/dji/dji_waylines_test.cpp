@@ -133,9 +133,6 @@ TEST(DjiWaylines, OtherVersionsAndNamespacesAreRefused) {
 }
 
 TEST(DjiWaylines, WhatMovesTheAircraftInUnknownWaysIsRefused) {
-  EXPECT_EQ(refusal_of_folder(dji_folder(dji_leg(), "realTimeFollowSurface")),
-            ": expected heights above the ellipsoid or the take-off (WGS84 or "
-            "relativeToStartPoint), found heights above the surface as the aircraft sees it");
   const std::string off = "> must be 0, found 1: the aircraft would leave its way as it sees fit";
   EXPECT_EQ(
       refusal_of_folder(dji_folder(dji_leg(), "WGS84", element("realTimeFollowSurfaceByFov", "1"))),
@@ -150,6 +147,18 @@ TEST(DjiWaylines, WhatMovesTheAircraftInUnknownWaysIsRefused) {
             "aircraft");
   EXPECT_EQ(refusal_of_waypoint(dji_turn() + element("waypointWorkType", "2")),
             ": <wpml:waypointWorkType> must be 0, found \"2\"");
+}
+
+TEST(DjiWaylines, MayFollowTheSurface) {
+  const std::string by_view = element("realTimeFollowSurfaceByFov", "1");
+  for (const std::string& more : {std::string(), by_view}) {
+    const std::string folder = dji_folder(dji_leg(), "realTimeFollowSurface", more);
+    const DjiMission m = read(in_kml(dji_config() + folder));
+    EXPECT_EQ(m.waylines[0].heights, DjiHeights::above_surface);
+  }
+  EXPECT_EQ(refusal_of_folder(dji_folder(dji_leg(), "EGM96")),
+            ": <wpml:executeHeightMode> must be one of WGS84, relativeToStartPoint, "
+            "realTimeFollowSurface, found \"EGM96\"");
 }
 
 TEST(DjiWaylines, SayTurns) {

@@ -190,15 +190,15 @@ struct DjiRules {
 // - realTimeFollowSurface: DJI says no bound of how the aircraft keeps to the surface, so it is
 //   where `surface` says, whatever executeHeight is. It rises to takeOffSecurityHeight, goes above
 //   the first waypoint and into the band of heights; on the way it may be anywhere in the upright
-//   face between. Each leg is in pieces of at most 25 m, each with the heights over the ground
+//   face between. Each leg is in pieces of at most 5 m, each with the heights over the ground
 //   below it. From one wayline to the next it may be at any height that it may have on the way.
 //   A return begins anywhere in the band, and is flown at any of the heights to which it rises.
 // A return from within 20 m of home, where some land at once, or without a height is no way that is
 // known (`returns`). Nor is gotoFirstWaypoint.
 // Throws geom::InputError(source, line, …) where waylines follow the surface and `surface` is not
-// given, others do not, or nobody says how fast the aircraft climbs; where no ground is known, for places that are not near
-// the origin, and where aircraft differ in how they begin: M300 and M350 do not rise to the
-// security height first.
+// given, others do not, or nobody says how fast the aircraft climbs; where no ground is known, for
+// places that are not near the origin, and where aircraft differ in how they begin: M300 and M350
+// do not rise to the security height first.
 FlownDji flown_dji(const DjiMission& mission, const MissionFrame& frame, const DjiRules& rules,
                    std::string_view source);
 

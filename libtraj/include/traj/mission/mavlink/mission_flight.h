@@ -15,8 +15,8 @@
 
 #include "traj/mission/firmware/autopilot.h"
 #include "traj/mission/flown/flown.h"
-#include "traj/mission/mavlink/mission.h"
 #include "traj/mission/flown/terrain_rules.h"
+#include "traj/mission/mavlink/mission.h"
 
 namespace traj {
 
