@@ -67,7 +67,7 @@ string(JOIN ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
   libeigen3-dev libfmt-dev nlohmann-json3-dev libsimdjson-dev liboctomap-dev libgeographiclib-dev libgmp-dev
   libmpfr-dev libssl-dev zlib1g-dev coinor-libipopt1v5 libembree3-3 libexpat1 liblzf1)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS
-  "libpng-dev, libgdal-dev, libbz2-dev, libexpat1-dev, libpcl-dev, libproj-dev, pkg-config, libassimp5, libdraco-dev")
+  "libpng-dev, libgdal-dev, libbz2-dev, libexpat1-dev, libpcl-dev, liblz4-dev, libproj25, pkg-config, libassimp5, libdraco-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 
 # Each of the three has a part of the Python module, too.
@@ -91,7 +91,7 @@ if(SKYWAY_CLOUD)
 Reads PCD, PLY, LAS, LAZ and XYZ point clouds, and makes box maps of them for
 the tools of the package skyway.")
   set(CPACK_DEBIAN_CLOUD_PACKAGE_RECOMMENDS skyway)
-  set(CPACK_DEBIAN_CLOUD_PACKAGE_DEPENDS "liblzf1${skyway_part_depends}")
+  set(CPACK_DEBIAN_CLOUD_PACKAGE_DEPENDS "liblzf1, libproj25${skyway_part_depends}")
 endif()
 
 if(SKYWAY_MESH)

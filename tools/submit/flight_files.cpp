@@ -98,7 +98,7 @@ void FlightFiles::add_mission(const std::string& path, const std::string& text,
     throw cli::UsageError(fmt::format("two missions are named {}: rename one", name));
   }
   for (const auto& one : flights_.of_mission(text, path)) {
-    any_over_terrain_ = any_over_terrain_ || one.flight->report().terrain.has_value();
+    terrain_use_.take(one.flight->report());
     of_missions_.push_back({traj::flight_parts(*one.flight, map)});
   }
   missions_.push_back(name);

@@ -40,7 +40,7 @@ class FlightFiles {
   std::size_t count() const { return claims_.size(); }  // after write() of all
   bool has_records() const { return has_records_; }
   // Whether a mission counts its heights from terrain; those that were refused, too.
-  bool any_over_terrain() const { return any_over_terrain_; }
+  const traj::TerrainUse& terrain_use() const { return terrain_use_; }
   const std::vector<std::string>& missions() const { return missions_; }
   std::vector<traj::FlightClaims>& claims() { return claims_; }  // in their order
   // The ground risk buffers of each of them.
@@ -66,7 +66,7 @@ class FlightFiles {
   std::optional<GrowingFile> records_;
   std::optional<GrowingFile> certificates_;
   bool has_records_ = false;
-  bool any_over_terrain_ = false;
+  traj::TerrainUse terrain_use_;
   std::optional<traj::FlightSet> set_;  // of trajectories, where they are compared
   std::vector<std::string> missions_;
   std::vector<traj::FlightClaims> claims_;

@@ -75,10 +75,14 @@ std::optional<geom::GroundModel> ground_of(const Options& options, const geom::B
 }
 
 void require_terrain(const traj::SubmissionMethod& method, const FlightFiles& flights) {
-  if (!method.ground_model || flights.any_over_terrain()) return;
+  const auto key = flights.terrain_use().idle(method);
+  if (!key) return;
   throw cli::UsageError(
-      "--ground-model is for missions with heights above terrain, and there is none: leave it and "
-      "--terrain-error out");
+      *key == traj::kSurfaceBandKey
+          ? "--surface-band is for missions of DJI that follow the surface, and there is none: "
+            "leave it out"
+          : "--terrain-error is for missions with heights above terrain, and there is none: leave "
+            "it out");
 }
 
 // Missions have no times of their own, so trajectories alone are compared.

@@ -1,11 +1,11 @@
 #include "geom/cloud/proj_reference.h"
 
 #include <fmt/format.h>
-#include <proj.h>
 
 #include <utility>
 
 #include "geom/base/error.h"
+#include "proj_library.h"
 
 namespace geom {
 namespace {
@@ -13,30 +13,30 @@ namespace {
 using Kind = CoordinateReference::Kind;
 
 struct ContextCloser {
-  void operator()(PJ_CONTEXT* context) const { proj_context_destroy(context); }
+  void operator()(PJ_CONTEXT* context) const { proj().context_destroy(context); }
 };
 using Context = std::unique_ptr<PJ_CONTEXT, ContextCloser>;
 
 struct ObjectCloser {
-  void operator()(PJ* object) const { proj_destroy(object); }
+  void operator()(PJ* object) const { proj().destroy(object); }
 };
 using Object = std::unique_ptr<PJ, ObjectCloser>;
 
 // One that says nothing by itself and never asks the network.
 Context quiet_context() {
-  Context context(proj_context_create());
-  proj_log_level(context.get(), PJ_LOG_NONE);
-  proj_context_set_enable_network(context.get(), 0);
+  Context context(proj().context_create());
+  proj().log_level(context.get(), PJ_LOG_NONE);
+  proj().enable_network(context.get(), 0);
   return context;
 }
 
 // The metres (for an angle, radians) in a unit of the axis.
 std::optional<double> axis_unit(PJ_CONTEXT* context, const PJ* system, int axis) {
-  const Object axes(proj_crs_get_coordinate_system(context, system));
+  const Object axes(proj().axes(context, system));
   double unit = 0;
-  if (!axes || axis >= proj_cs_get_axis_count(context, axes.get()) ||
-      !proj_cs_get_axis_info(context, axes.get(), axis, nullptr, nullptr, nullptr, &unit, nullptr,
-                             nullptr, nullptr) ||
+  if (!axes || axis >= proj().axis_count(context, axes.get()) ||
+      !proj().axis_info(context, axes.get(), axis, nullptr, nullptr, nullptr, &unit, nullptr,
+                        nullptr, nullptr) ||
       !(unit > 0 && unit < 1e9)) {
     return std::nullopt;
   }
@@ -44,16 +44,15 @@ std::optional<double> axis_unit(PJ_CONTEXT* context, const PJ* system, int axis)
 }
 
 int axis_count(PJ_CONTEXT* context, const PJ* system) {
-  const Object axes(proj_crs_get_coordinate_system(context, system));
-  return axes ? proj_cs_get_axis_count(context, axes.get()) : 0;
+  const Object axes(proj().axes(context, system));
+  return axes ? proj().axis_count(context, axes.get()) : 0;
 }
 
 // Mercator, whose scale grows with the latitude; not the transverse and oblique ones.
 bool is_mercator(PJ_CONTEXT* context, const PJ* system) {
-  const Object conversion(proj_crs_get_coordoperation(context, system));
+  const Object conversion(proj().conversion(context, system));
   const char* method = nullptr;
-  if (!conversion ||
-      !proj_coordoperation_get_method_info(context, conversion.get(), &method, nullptr, nullptr) ||
+  if (!conversion || !proj().method_info(context, conversion.get(), &method, nullptr, nullptr) ||
       !method) {
     return false;
   }
@@ -62,7 +61,7 @@ bool is_mercator(PJ_CONTEXT* context, const PJ* system) {
 }
 
 Kind kind_of(PJ_CONTEXT* context, const PJ* system) {
-  switch (proj_get_type(system)) {
+  switch (proj().type_of(system)) {
     case PJ_TYPE_PROJECTED_CRS:
       return is_mercator(context, system) ? Kind::no_plane : Kind::metric;
     case PJ_TYPE_ENGINEERING_CRS:
@@ -99,37 +98,37 @@ ProjReference& ProjReference::operator=(ProjReference&&) noexcept = default;
 std::optional<ProjReference> ProjReference::of(const std::string& text) {
   auto impl = std::make_unique<Impl>();
   PJ_CONTEXT* const context = impl->context.get();
-  impl->whole.reset(proj_create(context, text.c_str()));
+  impl->whole.reset(proj().create(context, text.c_str()));
   // A PROJ string without +type=crs is an operation.
-  if (impl->whole && !proj_is_crs(impl->whole.get())) {
-    impl->whole.reset(proj_create(context, (text + " +type=crs").c_str()));
+  if (impl->whole && !proj().is_crs(impl->whole.get())) {
+    impl->whole.reset(proj().create(context, (text + " +type=crs").c_str()));
   }
-  if (!impl->whole || !proj_is_crs(impl->whole.get())) return std::nullopt;
-  impl->plane.reset(proj_clone(context, impl->whole.get()));
-  if (proj_get_type(impl->plane.get()) == PJ_TYPE_COMPOUND_CRS) {
-    impl->height.reset(proj_crs_get_sub_crs(context, impl->whole.get(), 1));
-    impl->plane.reset(proj_crs_get_sub_crs(context, impl->whole.get(), 0));
+  if (!impl->whole || !proj().is_crs(impl->whole.get())) return std::nullopt;
+  impl->plane.reset(proj().clone(context, impl->whole.get()));
+  if (proj().type_of(impl->plane.get()) == PJ_TYPE_COMPOUND_CRS) {
+    impl->height.reset(proj().part(context, impl->whole.get(), 1));
+    impl->plane.reset(proj().part(context, impl->whole.get(), 0));
   }
   if (!impl->plane) return std::nullopt;
   // What a system is bound to by its transformation is kept for the way; here its own axes count.
-  Object axes(proj_clone(context, impl->plane.get()));
-  if (proj_get_type(axes.get()) == PJ_TYPE_BOUND_CRS) {
-    axes.reset(proj_get_source_crs(context, axes.get()));
+  Object axes(proj().clone(context, impl->plane.get()));
+  if (proj().type_of(axes.get()) == PJ_TYPE_BOUND_CRS) {
+    axes.reset(proj().source_of(context, axes.get()));
   }
   if (!axes) return std::nullopt;
   CoordinateReference told;
   told.kind = kind_of(context, axes.get());
   told.crs = text;
-  const char* const name = proj_get_name(impl->whole.get());
+  const char* const name = proj().name_of(impl->whole.get());
   told.name = name && *name ? name : text.substr(0, 60);
   if (told.kind == Kind::metric) {
     told.plane = axis_unit(context, axes.get(), 0);
     if (told.plane != axis_unit(context, axes.get(), 1)) told.plane.reset();
   }
   if (impl->height) {
-    Object height(proj_clone(context, impl->height.get()));
-    if (proj_get_type(height.get()) == PJ_TYPE_BOUND_CRS) {
-      height.reset(proj_get_source_crs(context, height.get()));
+    Object height(proj().clone(context, impl->height.get()));
+    if (proj().type_of(height.get()) == PJ_TYPE_BOUND_CRS) {
+      height.reset(proj().source_of(context, height.get()));
     }
     told.up = axis_unit(context, height.get(), 0);
     told.up_unclear = !told.up;
@@ -142,10 +141,10 @@ std::optional<ProjReference> ProjReference::of(const std::string& text) {
 }
 
 bool ProjReference::places() const {
-  PJ_TYPE type = proj_get_type(impl_->plane.get());
+  PJ_TYPE type = proj().type_of(impl_->plane.get());
   if (type == PJ_TYPE_BOUND_CRS) {
-    const Object source(proj_get_source_crs(impl_->context.get(), impl_->plane.get()));
-    type = proj_get_type(source.get());
+    const Object source(proj().source_of(impl_->context.get(), impl_->plane.get()));
+    type = proj().type_of(source.get());
   }
   return type == PJ_TYPE_PROJECTED_CRS || type == PJ_TYPE_GEOGRAPHIC_2D_CRS ||
          type == PJ_TYPE_GEOGRAPHIC_3D_CRS;
@@ -162,12 +161,10 @@ namespace {
 
 // From the plane of a system to another, x before y; never one that takes two datums for one.
 Object way_between(PJ_CONTEXT* context, const PJ* from, const std::string& to) {
-  const Object target(proj_create(context, to.c_str()));
+  const Object target(proj().create(context, to.c_str()));
   const char* const options[] = {"ALLOW_BALLPARK=NO", nullptr};
-  const Object way(
-      target ? proj_create_crs_to_crs_from_pj(context, from, target.get(), nullptr, options)
-             : nullptr);
-  return Object(way ? proj_normalize_for_visualization(context, way.get()) : nullptr);
+  const Object way(target ? proj().way(context, from, target.get(), nullptr, options) : nullptr);
+  return Object(way ? proj().normalize(context, way.get()) : nullptr);
 }
 
 [[noreturn]] void no_way(const std::string& source, const std::string& name) {
@@ -196,8 +193,8 @@ void ProjWay::project(std::span<CloudPoint> points) const {
   if (points.empty()) return;
   const Vec3 first = points.front().position;
   const std::size_t stride = sizeof(CloudPoint);
-  proj_trans_generic(impl_->way.get(), PJ_FWD, &points[0].position.x(), stride, points.size(),
-                     &points[0].position.y(), stride, points.size(), nullptr, 0, 0, nullptr, 0, 0);
+  proj().transform(impl_->way.get(), PJ_FWD, &points[0].position.x(), stride, points.size(),
+                   &points[0].position.y(), stride, points.size(), nullptr, 0, 0, nullptr, 0, 0);
   for (const CloudPoint& p : points) {
     if (p.position.allFinite()) continue;
     throw InputError(
@@ -212,9 +209,9 @@ std::optional<Aabb> ProjWay::origin_of(const Aabb& region) const {
   constexpr int kPointsASide = 101;
   Aabb out = region;
   const bool told =
-      proj_trans_bounds(impl_->context.get(), impl_->way.get(), PJ_INV, region.min.x(),
-                        region.min.y(), region.max.x(), region.max.y(), &out.min.x(), &out.min.y(),
-                        &out.max.x(), &out.max.y(), kPointsASide);
+      proj().transform_bounds(impl_->context.get(), impl_->way.get(), PJ_INV, region.min.x(),
+                              region.min.y(), region.max.x(), region.max.y(), &out.min.x(),
+                              &out.min.y(), &out.max.x(), &out.max.y(), kPointsASide);
   if (!told || !out.min.allFinite() || !out.max.allFinite() || out.min.x() > out.max.x()) {
     return std::nullopt;
   }

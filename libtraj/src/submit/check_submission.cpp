@@ -249,19 +249,17 @@ class Folder {
         missions.push_back(std::move(mission));
       }
     }
-    if (ground_ && !any_over_terrain(missions)) {
+    TerrainUse use;
+    for (const FlightInScene& one : missions) use.take(one.flight->report());
+    if (const auto key = use.idle(method)) {
       return Refusal{"submission.json",
-                     "it names a ground, and no mission counts its heights from terrain"};
+                     fmt::format("it says {}, and no mission {}", *key,
+                                 *key == kSurfaceBandKey ? "follows the surface"
+                                                         : "counts its heights from terrain")};
     }
     if (method.together) set_.emplace(*method.together);
     if (auto why = first_refusal(open, missions)) return why;
     return why_pairs_differ();
-  }
-
-  static bool any_over_terrain(const std::vector<FlightInScene>& missions) {
-    return std::any_of(missions.begin(), missions.end(), [](const FlightInScene& one) {
-      return one.flight->report().terrain.has_value();
-    });
   }
 
   // The flights in their order: records, each with its certificate, and then missions.

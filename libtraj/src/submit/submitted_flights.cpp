@@ -92,6 +92,17 @@ std::vector<FlightInScene> SubmittedFlights::of_mission(const std::string& text,
   return out;
 }
 
+void TerrainUse::take(const ReportRecord& report) {
+  if (!report.terrain) return;
+  (report.terrain->surface ? surface : error) = true;
+}
+
+std::optional<std::string_view> TerrainUse::idle(const SubmissionMethod& method) const {
+  if (method.terrain_error && !error) return "terrain_error";
+  if (method.surface && !surface) return kSurfaceBandKey;
+  return std::nullopt;
+}
+
 std::string volumes_file(const std::string& name) { return "volumes/" + name + ".json"; }
 std::string risk_file(const std::string& name) { return "risk/" + name + ".geojson"; }
 

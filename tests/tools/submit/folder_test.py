@@ -14,6 +14,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import zipfile
 
 tools = pathlib.Path(sys.argv[1])
 source = pathlib.Path(sys.argv[2])
@@ -104,6 +105,52 @@ def make_over_terrain(where):
                 "-q", "-o", where / "terrain")
     assert made.returncode == 0, made.stderr
     return where / "terrain"
+
+
+WAYLINES = """<?xml version="1.0" encoding="UTF-8"?>
+<kml xmlns="http://www.opengis.net/kml/2.2" xmlns:wpml="http://www.dji.com/wpmz/1.0.6"><Document>
+<wpml:missionConfig><wpml:flyToWaylineMode>safely</wpml:flyToWaylineMode><wpml:finishAction>autoLand</wpml:finishAction>
+<wpml:exitOnRCLost>goContinue</wpml:exitOnRCLost><wpml:takeOffSecurityHeight>20</wpml:takeOffSecurityHeight>
+<wpml:takeOffRefPoint>46.979985,7.450026,0</wpml:takeOffRefPoint><wpml:globalTransitionalSpeed>8</wpml:globalTransitionalSpeed>
+<wpml:droneInfo><wpml:droneEnumValue>77</wpml:droneEnumValue></wpml:droneInfo></wpml:missionConfig>
+<Folder><wpml:templateId>0</wpml:templateId><wpml:executeHeightMode>realTimeFollowSurface</wpml:executeHeightMode>
+<wpml:waylineId>0</wpml:waylineId><wpml:autoFlightSpeed>5</wpml:autoFlightSpeed>
+{}</Folder></Document></kml>
+"""
+WAYPOINT = """<Placemark><Point><coordinates>{},{}</coordinates></Point><wpml:index>{}</wpml:index><wpml:executeHeight>40</wpml:executeHeight>
+<wpml:waypointTurnParam><wpml:waypointTurnMode>coordinateTurn</wpml:waypointTurnMode>
+<wpml:waypointTurnDampingDist>4</wpml:waypointTurnDampingDist></wpml:waypointTurnParam></Placemark>
+"""
+
+
+def make_over_surface(where):
+    """A folder with a mission of DJI that follows the surface, over the hill and the ground of the other."""
+    places = (("7.4501", "46.979985"), ("7.4506", "46.979985"), ("7.4506", "46.9802"))
+    text = WAYLINES.format("".join(WAYPOINT.format(*place, i) for i, place in enumerate(places)))
+    with zipfile.ZipFile(where / "town.kmz", "w") as archive:
+        archive.writestr("wpmz/waylines.wpml", text)
+    made = tool("submit", where / "hill.boxmap", where / "town.kmz", "--operation", source / "data/samples/operation.json", "--vehicle", "m3e",
+                "--ground", "547", "--origin", "46.979985,7.450026,590", "--between", f"{EPOCH},2026-05-04T07:00:00Z",
+                "--ground-model", where / "hill.ground", "--surface-band", "30,60", "--no-page", "-q", "-o", where / "surface")
+    assert made.returncode == 0, made.stderr
+    return where / "surface"
+
+
+def change_surface(folder, where):
+    """What is said of the band of heights, signed anew."""
+    def try_it(what, old, new, names):
+        mutant = copy(folder, where)
+        set_text(mutant / "submission.json", (old, new))
+        sign(mutant)
+        expect_refused(mutant, what, names, script=False)
+
+    said = '"surface_band":[30,60]'
+    try_it("a lower band", said, '"surface_band":[29,60]', "volumes/town.json")
+    try_it("a higher band", said, '"surface_band":[30,61]', "volumes/town.json")
+    try_it("a narrower band", said, '"surface_band":[31,60]', "volumes/town.json")
+    try_it("no band that is one", said, '"surface_band":[60,30]', "surface_band must be [low, high]")
+    try_it("a terrain error that nobody uses", said, '"terrain_error":3,' + said, "no mission counts its heights from terrain")
+    try_it("a terrain error in place of the band", said, '"terrain_error":3', "found heights above the surface")
 
 
 def listed(folder):
@@ -368,7 +415,8 @@ def squeezed(line, how):
                 for v in ring:
                     v[axis] = round(middle + 0.9 * (v[axis] - middle), 9)
         else:
-            volume[f"altitude_{how}"]["value"] += -1 if how == "upper" else 1
+            by = min(1, (volume["altitude_upper"]["value"] - volume["altitude_lower"]["value"]) / 2)
+            volume[f"altitude_{how}"]["value"] += -by if how == "upper" else by
     else:
         said = one["properties"]
         if how == "ring":
@@ -432,7 +480,16 @@ def main():
             change_values(terrain, where, "submission.json", keep=("volumes", "limits", "return_height", "geoid"))
             change_values(terrain, where, "claims.jsonl")
             shrink_all(terrain, where, "volumes/town.json")
-            require_all_members([*folders, terrain])
+            surface = make_over_surface(where)
+            checked = tool("check", surface)
+            assert checked.returncode == 0, checked.stderr
+            followed = run(sys.executable, "-B", surface / "verify/verify_folder.py", surface)
+            assert followed.returncode == 0, followed.stdout
+            keep_their_schemas(surface, checked.stdout)
+            change_surface(surface, where)
+            change_values(surface, where, "claims.jsonl")
+            shrink_all(surface, where, "volumes/town.json")
+            require_all_members([*folders, terrain, surface])
         # A page is for looking: the check says that it is not verified.
         mutant = copy(folders[0], where)
         (mutant / "page.html").write_text("<p>another</p>", encoding="utf-8")

@@ -31,8 +31,8 @@ TEST(TerrainClaim, ThatFollowsTheSurfaceHasItsBandAlone) {
                   "\n");
   EXPECT_EQ(text_of(read_terrain_claim({text, "c", 1})), text);
   const auto refusal = [](const std::string& inside) {
-    const std::string text = R"({"model":"flat","band":31,)" + inside + "}";
-    return support::refusal_of([&] { read_terrain_claim({text, "c", 1}); });
+    const std::string other = R"({"model":"flat","band":31,)" + inside + "}";
+    return support::refusal_of([&] { read_terrain_claim({other, "c", 1}); });
   };
   EXPECT_EQ(refusal(R"("surface_band":[40,70],"lag":3)"),
             "c:1: lag must be none beside surface_band, found 3");

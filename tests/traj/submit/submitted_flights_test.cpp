@@ -52,6 +52,7 @@ struct Desk {
   Desk() {
     method.origin = {47, 8, 400};
     method.ground = 0;
+    method.terrain_error = 0;
     method.risk.dimension = 0.7;
     method.limits[Limit::speed] = 9;
     method.begins = "2026-05-04T06:30:00Z";
@@ -124,6 +125,31 @@ TEST(SubmittedFlights, VolumesThatCutTheBandAreRefused) {
   }
   EXPECT_TRUE(one.why_not_held(low));
   EXPECT_TRUE(one.why_not_held(high));
+}
+
+TEST(SubmittedFlights, AMissionAboveTerrainNeedsTheErrorOfItsTerrain) {
+  Desk desk;
+  const geom::GroundModel ground = geom::GroundModel::flat(0);
+  desk.method.terrain_error.reset();
+  desk.method.surface = SurfaceBand{40, 70};
+  EXPECT_TRUE(support::says(desk.refusal_with(&ground), "give --terrain-error"));
+}
+
+TEST(TerrainUse, NamesWhatNoMissionUses) {
+  SubmissionMethod method;
+  method.terrain_error = 3;
+  method.surface = SurfaceBand{40, 70};
+  TerrainUse use;
+  ReportRecord report;
+  use.take(report);
+  EXPECT_EQ(use.idle(method), "terrain_error");
+  report.terrain = TerrainClaim{.model = "flat", .error = 3};
+  use.take(report);
+  EXPECT_EQ(use.idle(method), "surface_band");
+  report.terrain = TerrainClaim{.model = "flat", .surface = {{40, 70}}};
+  use.take(report);
+  EXPECT_FALSE(use.idle(method));
+  EXPECT_FALSE(TerrainUse().idle({}));
 }
 
 TEST(SubmittedFlights, MoreTerrainErrorIsHigherVolumes) {

@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "geom/map/ground_model.h"
@@ -37,6 +38,16 @@ struct MethodFiles {
 inline constexpr const char* kParamsFile = "autopilot.params";
 inline constexpr const char* kGeoidFile = "geoid.gtx";
 inline constexpr const char* kGroundFile = "terrain.ground";
+
+// Which words of a method about the ground its missions use.
+struct TerrainUse {
+  bool error = false;    // heights above an autopilot's own terrain
+  bool surface = false;  // an aircraft that follows the surface
+
+  void take(const ReportRecord& report);
+  // The first of the method's "terrain_error" and "surface_band" that no mission uses.
+  std::optional<std::string_view> idle(const SubmissionMethod& method) const;
+};
 
 class SubmittedFlights {
  public:

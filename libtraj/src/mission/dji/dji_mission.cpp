@@ -133,6 +133,7 @@ class DjiFlight {
   void claim_surface() {
     if (!surface_) return;
     const geom::GroundModel& ground = *rules_.surface->ground;
+    flown_.climb_holds_in_band = true;  // it is the airframe's
     flown_.terrain = TerrainClaim{.model = ground.is_flat() ? "flat" : ground.spec().hash,
                                   .band = widest_,
                                   .surface = rules_.surface->surface};

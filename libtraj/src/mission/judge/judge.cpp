@@ -30,8 +30,14 @@ void check_legs(const geom::Polyline& way, const FlownLegs& flown, const Limits&
     if (leg.isZero(0)) continue;
     const double along = speed_along(flown, leg);
     Vec3 v = leg * (along / leg.norm());
-    // Over terrain it may rise or sink as fast again to follow that.
-    if (!flown.leg_band.empty()) v.z() = std::abs(v.z()) + std::max(flown.climb, flown.descent);
+    // Over terrain it rises and sinks to follow that, and need not slow down for it.
+    if (!flown.leg_band.empty()) {
+      const double level = across(leg);
+      if (level > 0) v.head<2>() = leg.head<2>() * (*flown.speed / level);
+      const double follows = std::max(flown.climb, flown.descent);
+      v.z() = flown.climb_holds_in_band ? std::max(std::abs(v.z()), follows)
+                                        : std::abs(v.z()) + follows;
+    }
     const double speed = flown.leg_band.empty() ? along : v.norm();
     const auto index = static_cast<double>(i - 1);
     const auto hold = [&](Limit limit, double value) {

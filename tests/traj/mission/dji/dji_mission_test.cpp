@@ -466,6 +466,7 @@ TEST(FlownDji, FollowsTheSurfaceWithinTheBandThatItsOperatorStates) {
   ASSERT_TRUE(flown.terrain);
   EXPECT_EQ(flown.terrain->model, "sha256:slope");
   EXPECT_EQ(flown.terrain->surface, (SurfaceBand{20, 30}));
+  EXPECT_TRUE(flown.climb_holds_in_band);
   EXPECT_NEAR(flown.terrain->band, 12, 0.01);
   const double level = 100.06 / 9 + kEast / 4 + 1.5;
   EXPECT_GT(flown.seconds_over_terrain, level + (20 + 5 + 7) / 6.0);
@@ -475,10 +476,10 @@ TEST(FlownDji, FollowsTheSurfaceWithinTheBandThatItsOperatorStates) {
 TEST(FlownDji, WhereItMayBeBesideItsWayTheGroundCountsToo) {
   const geom::GroundModel ground = slope();
   const TerrainRules surface{.ground = &ground, .surface = {{20, 30}}};
-  const auto highest = [&](double around) {
-    return fly(along_the_surface(), {.surface = surface, .around = around}).path.back().z();
+  const auto band = [&](double around) {
+    return fly(along_the_surface(), {.surface = surface, .around = around}).leg_band.back();
   };
-  EXPECT_NEAR(highest(20) - highest(0), 0.5, 1e-9) << "as much lower to the west, less a cell";
+  EXPECT_NEAR(band(20) - band(0), 2, 1e-9) << "2 m lower to the west, and 2 m higher to the east";
 }
 
 TEST(FlownDji, SurfaceOfWhichTooLittleIsKnownIsRefused) {
@@ -495,10 +496,11 @@ TEST(FlownDji, SurfaceOfWhichTooLittleIsKnownIsRefused) {
       "(--ground-model, --surface-band)";
   EXPECT_EQ(refusal(m, {}), none);
   EXPECT_EQ(refusal(m, {.surface = TerrainRules{.ground = &ground, .error = 9}}), none);
-  EXPECT_EQ(refusal(m, {.surface = surface, .around = 330}),
-            "m.kmz: expected a height model that knows the ground below the whole way, since the "
-            "aircraft follows the surface there, found a hole, or its end, at x -254 to 406, y "
-            "-330 to 330: take a larger height model (and map)");
+  EXPECT_EQ(
+      refusal(m, {.surface = surface, .around = 330}),
+      "m.kmz: expected a height model that knows the ground below the whole way, since the "
+      "aircraft follows the surface there, found a hole, or its end, at x -253.955 to 406.067, y "
+      "-330.011 to 330.012: take a larger height model (and map)");
   m.aircraft = {1, 0};
   EXPECT_EQ(refusal(m, {.surface = surface}),
             "m.kmz:7: expected an aircraft of which is known how fast it climbs, found type 1: it "

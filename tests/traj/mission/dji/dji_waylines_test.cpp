@@ -157,7 +157,7 @@ TEST(DjiWaylines, MayFollowTheSurface) {
     EXPECT_EQ(m.waylines[0].heights, DjiHeights::above_surface);
   }
   EXPECT_EQ(refusal_of_folder(dji_folder(dji_leg(), "EGM96")),
-            ": <wpml:executeHeightMode> must be one of WGS84, relativeToStartPoint, "
+            ": <wpml:executeHeightMode> must be WGS84 or relativeToStartPoint or "
             "realTimeFollowSurface, found \"EGM96\"");
 }
 

@@ -90,6 +90,24 @@ TEST(Judge, TheAutopilotKeepsItsRatesOfClimb) {
   EXPECT_EQ(result.largest[Limit::speed]->value, 8);
 }
 
+TEST(Judge, LegsThatFollowWhatIsBelowRiseAndSinkAsTheyMay) {
+  FlownLegs flown;
+  flown.path = {{5, 5, 5}, {5, 9, 8}};  // the middle of its band: 3 m up in 4 m
+  flown.leg_band = {1};
+  flown.speed = 5;
+  flown.climb = 2;
+  flown.descent = 1.5;
+  const auto largest = [&](Limit limit) {
+    return judge(yard(), {flown}, {}).largest[limit]->value;
+  };
+  EXPECT_EQ(largest(Limit::horizontal_speed), 5) << "it does not slow down to follow";
+  EXPECT_NEAR(largest(Limit::vertical_speed), 4, 1e-12) << "as fast again as it climbs";
+  EXPECT_NEAR(largest(Limit::speed), std::hypot(5, 4), 1e-12);
+  flown.climb_holds_in_band = true;
+  EXPECT_EQ(largest(Limit::vertical_speed), 2);
+  EXPECT_NEAR(largest(Limit::speed), std::hypot(5, 2), 1e-12);
+}
+
 TEST(Judge, LooksAtTheAscentAndTheDescent) {
   FlownMission flown = path({{25, 5, 35}, {40, 5, 35}});
   EXPECT_TRUE(judge(yard(), {flown}, {}).ok);

@@ -1,0 +1,36 @@
+#pragma once
+
+// The functions of PROJ, which is loaded when it is first needed.
+
+#include <proj.h>
+
+namespace geom {
+
+struct ProjLibrary {
+  decltype(&proj_context_create) context_create;
+  decltype(&proj_context_destroy) context_destroy;
+  decltype(&proj_log_level) log_level;
+  decltype(&proj_context_set_enable_network) enable_network;
+  decltype(&proj_create) create;
+  decltype(&proj_clone) clone;
+  decltype(&proj_destroy) destroy;
+  decltype(&proj_get_type) type_of;
+  decltype(&proj_get_name) name_of;
+  decltype(&proj_is_crs) is_crs;
+  decltype(&proj_crs_get_sub_crs) part;
+  decltype(&proj_get_source_crs) source_of;
+  decltype(&proj_crs_get_coordinate_system) axes;
+  decltype(&proj_cs_get_axis_count) axis_count;
+  decltype(&proj_cs_get_axis_info) axis_info;
+  decltype(&proj_crs_get_coordoperation) conversion;
+  decltype(&proj_coordoperation_get_method_info) method_info;
+  decltype(&proj_create_crs_to_crs_from_pj) way;
+  decltype(&proj_normalize_for_visualization) normalize;
+  decltype(&proj_trans_generic) transform;
+  decltype(&proj_trans_bounds) transform_bounds;
+};
+
+// Loads it at the first call. Throws std::runtime_error where PROJ is not installed.
+const ProjLibrary& proj();
+
+}  // namespace geom
