@@ -186,7 +186,7 @@ class DjiFlight {
 
   static Vec3 at_height(const Vec3& p, double z) { return {p.x(), p.y(), z}; }
 
-  HeightRange heights_at(const Vec3& p) const { return surface_->over(std::array{p}); }
+  SurfaceRange heights_at(const Vec3& p) const { return surface_->over(std::array{p}); }
 
   void go(const Vec3& p, Manoeuvre manoeuvre, double hold) {
     if (surface_ && !flown_.path.empty()) flown_.leg_band.push_back(0);
@@ -204,7 +204,7 @@ class DjiFlight {
       const Vec3 before = flown_.path.back();
       Vec3 p = k == pieces ? to : Vec3(from + (to - from) * (k / pieces));
       p.z() = heights_at(p).middle();
-      const HeightRange heights = surface_->over(std::array{before, p});
+      const SurfaceRange heights = surface_->over(std::array{before, p});
       flown_.path.push_back(p);
       flown_.hold.push_back(k == pieces ? hold : 0);
       flown_.legs.push_back({item_, Manoeuvre::leg});
@@ -216,8 +216,8 @@ class DjiFlight {
   }
 
   // Anywhere in an upright face between two places, at a height that nobody knows.
-  void sweep_face(const Vec3& a, const HeightRange& over_a, const Vec3& b,
-                  const HeightRange& over_b, Manoeuvre manoeuvre) {
+  void sweep_face(const Vec3& a, const SurfaceRange& over_a, const Vec3& b,
+                  const SurfaceRange& over_b, Manoeuvre manoeuvre) {
     flown_.sweeps.push_back({{at_height(a, over_a.low), at_height(a, over_a.high),
                               at_height(b, over_b.low), at_height(b, over_b.high)},
                              {item_, manoeuvre}});
@@ -235,7 +235,8 @@ class DjiFlight {
     const bool safely = mission_.approach == DjiApproach::safely;
     const bool starts_low = std::find(std::begin(kStartsLow), std::end(kStartsLow),
                                       mission_.aircraft.type) != std::end(kStartsLow);
-    const HeightRange over_first = surface_ ? heights_at(first) : HeightRange{first.z(), first.z()};
+    const SurfaceRange over_first =
+        surface_ ? heights_at(first) : SurfaceRange{first.z(), first.z()};
     if (starts_low && (!safely || over_first.low < security)) {
       refuse(waypoint, {.says = fmt::format(
                             "an aircraft of type {} does not rise to takeOffSecurityHeight before "
@@ -266,7 +267,7 @@ class DjiFlight {
     const Vec3 first = place(wayline, wayline.waypoints.front());
     if (surface_) {
       // It may follow the surface here, or fly level or straight between any heights of the ends.
-      const HeightRange all = surface_->over(std::array{from, first});
+      const SurfaceRange all = surface_->over(std::array{from, first});
       sweep_face(from, all, first, all, Manoeuvre::leg);
       go_along_surface(first, 0);
       require_room(begun, last, wayline.waypoints.front());
@@ -385,9 +386,9 @@ class DjiFlight {
 
   // It begins anywhere in the band there, and so returns at any of the heights to which it rises.
   void return_from_surface(const Vec3& last, double height) {
-    const HeightRange begins = heights_at(last);
-    const HeightRange returns{std::max(begins.low, home_.z() + height),
-                              std::max(begins.high, home_.z() + height)};
+    const SurfaceRange begins = heights_at(last);
+    const SurfaceRange returns{std::max(begins.low, home_.z() + height),
+                               std::max(begins.high, home_.z() + height)};
     reach(at_height(last, returns.high), Manoeuvre::climb);
     reach(at_height(home_, returns.high), Manoeuvre::return_home);
     const bool near = (last - home_).head<2>().norm() < kRises;

@@ -9,7 +9,7 @@
 
 namespace traj {
 
-HeightRange SurfaceHeights::over(std::span<const Vec3> places) const {
+SurfaceRange SurfaceHeights::over(std::span<const Vec3> places) const {
   const geom::Aabb box = *geom::bounds(places);
   const geom::Vec2 by = geom::Vec2::Constant(around_);
   geom::Rectangle at{box.min.head<2>() - by, box.max.head<2>() + by};
@@ -32,7 +32,7 @@ HeightRange SurfaceHeights::over(std::span<const Vec3> places) const {
 }
 
 Hull SurfaceHeights::raised(std::span<const Vec3> places) const {
-  const HeightRange heights = over(places);
+  const SurfaceRange heights = over(places);
   Hull out;
   for (const Vec3& p : places) {
     out.emplace_back(p.x(), p.y(), heights.low);

@@ -11,7 +11,7 @@
 
 namespace traj {
 
-struct HeightRange {
+struct SurfaceRange {
   double low = 0;
   double high = 0;
 
@@ -28,7 +28,7 @@ class SurfaceHeights {
 
   // z anywhere over the rectangle that holds these places (in ENU), rounded outward. Throws
   // geom::InputError(source, …) where the model does not know the ground there.
-  HeightRange over(std::span<const Vec3> places) const;
+  SurfaceRange over(std::span<const Vec3> places) const;
 
   // All places over that rectangle's hull at these heights: each place at the lowest and at the
   // highest.

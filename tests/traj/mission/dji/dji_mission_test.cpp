@@ -430,7 +430,7 @@ DjiMission along_the_surface() {
 }
 
 // The heights that a leg of the path may have over a place, by its band.
-HeightRange held_at(const FlownDji& flown, std::size_t leg) {
+SurfaceRange held_at(const FlownDji& flown, std::size_t leg) {
   const double band = flown.leg_band[leg - 1];
   return {std::min(flown.path[leg - 1].z(), flown.path[leg].z()) - band,
           std::max(flown.path[leg - 1].z(), flown.path[leg].z()) + band};
@@ -456,7 +456,7 @@ TEST(FlownDji, FollowsTheSurfaceWithinTheBandThatItsOperatorStates) {
   for (std::size_t leg = 3; leg < flown.path.size(); ++leg) {
     const double from = std::floor(std::max(0.0, flown.path[leg - 1].x() - 0.1) / 10);
     const double to = std::floor(std::max(0.0, flown.path[leg].x() + 0.1) / 10);
-    const HeightRange held = held_at(flown, leg);
+    const SurfaceRange held = held_at(flown, leg);
     EXPECT_LE(held.low, 10 + from + 20) << leg;
     EXPECT_GE(held.high, 10 + to + 1 + 30) << leg;
     EXPECT_GE(held.low, 10 + from + 20 - 3) << leg << ": no wider than it must be";
