@@ -49,14 +49,20 @@ class Surface {
   Vec3 followed(const Vec3& p) {
     const auto cell = [](double at) { return static_cast<std::size_t>((at + kReach) / kCell); };
     const std::size_t at = cell(p.y()) * kCells + cell(p.x());
-    const double ground = random_.uniform(ground_.lows()[at], ground_.highs()[at]);
-    return at_height(p, ground + random_.uniform(band_.low, band_.high));
+    const double ground = within(ground_.lows()[at], ground_.highs()[at]);
+    return at_height(p, ground + within(band_.low, band_.high));
   }
 
  private:
   static constexpr double kReach = 260;
   static constexpr double kCell = 13;
   static constexpr std::size_t kCells = 40;
+
+  // Anywhere, or at an end.
+  double within(double low, double high) {
+    const int where = random_.below(3);
+    return where == 0 ? low : where == 1 ? high : random_.uniform(low, high);
+  }
 
   static geom::GroundModel ground_of(Random& random) {
     std::vector<double> low;
@@ -138,7 +144,7 @@ class Case {
 
   void fly(int number) {
     const bool ellipsoid = random_.below(2);
-    const int count = 2 + random_.below(4);
+    const int count = surface_ ? 1 + random_.below(5) : 2 + random_.below(4);
     std::vector<Vec3> points;
     std::string waypoints;
     for (int i = 0; i < count; ++i) {
@@ -166,6 +172,7 @@ class Case {
       for (Vec3& p : points) p = surface_->followed(p);
     }
     number == 0 ? approach(points.front()) : go_on(points.front());
+    if (surface_) may("waypoint over the surface", surface_->followed(points.back()));
     for (std::size_t i = 1; i < points.size(); ++i) {
       const Vec3 p = between(points[i - 1], points[i]);
       surface_ ? may("leg along the surface", surface_->followed(p)) : may("leg", p);

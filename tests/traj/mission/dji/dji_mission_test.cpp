@@ -545,6 +545,12 @@ TEST(FlownDji, TurnsOverTheSurfaceAreAsHighAsItMayBe) {
   const geom::Aabb turn = *geom::bounds(flown.sweeps[1].hull);
   EXPECT_LT((turn.min - Vec3(kEast - 10, 0, 30)).norm(), 0.1);
   EXPECT_LT((turn.max - Vec3(kEast, 10, 50)).norm(), 0.1);
+  // How steep the legs are is not known, so it may turn as far out as over flat ground.
+  const geom::GroundModel hill = slope();
+  const TerrainRules rising{.ground = &hill, .surface = {{20, 40}}};
+  const geom::Aabb risen = *geom::bounds(fly(m, {.surface = rising}).sweeps[1].hull);
+  EXPECT_NEAR(risen.min.x(), turn.min.x(), 1e-9);
+  EXPECT_NEAR(risen.max.y(), turn.max.y(), 1e-9);
   m.waylines[0].waypoints[1].damping = 77;
   EXPECT_EQ(support::refusal_of([&] { fly(m, {.surface = surface}); }),
             "m.kmz: expected turns that do not meet, found a leg of 76.06 m, of which turns take "
