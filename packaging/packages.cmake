@@ -91,7 +91,8 @@ if(SKYWAY_CLOUD)
 Reads PCD, PLY, LAS, LAZ and XYZ point clouds, and makes box maps of them for
 the tools of the package skyway.")
   set(CPACK_DEBIAN_CLOUD_PACKAGE_RECOMMENDS skyway)
-  set(CPACK_DEBIAN_CLOUD_PACKAGE_DEPENDS "liblzf1, libproj25${skyway_part_depends}")
+  set(skyway_loaded_by_cloud libproj25)
+  set(CPACK_DEBIAN_CLOUD_PACKAGE_DEPENDS "liblzf1, ${skyway_loaded_by_cloud}${skyway_part_depends}")
 endif()
 
 if(SKYWAY_MESH)

@@ -11,8 +11,9 @@ import subprocess
 import sys
 
 EVERY = {"libz", "libsimdjson", "libmpfr", "libgmp", "libfmt", "libstdc++", "libm", "libgcc_s", "libc", "ld-linux-x86-64"}
-FURTHER = {"skyway-render": {"libpng16"}, "skyway-view": {"libpng16", "libwebp"}, "skyway-submit": {"libpng16", "libwebp"}}
-LARGE = {"skyway-cloud", "skyway-bench"}  # PCL and PROJ, OMPL: with all that these need
+FURTHER = {"skyway-render": {"libpng16"}, "skyway-view": {"libpng16", "libwebp"}, "skyway-submit": {"libpng16", "libwebp"},
+           "skyway-cloud": {"libpcl_common", "liblz4", "libgomp"}}
+LARGE = {"skyway-bench"}  # OMPL, with all that it needs
 NOWHERE = {"libipopt", "libcrypto", "liboctomap", "libembree3"}  # not linked by those either
 
 tools = pathlib.Path(sys.argv[1])
@@ -55,7 +56,8 @@ def faults():
     packages = (source / "packaging/packages.cmake").read_text(encoding="utf-8")
     listed = re.search(r"set\(skyway_loaded ([^)]*)\)", packages)[1].split()
     listed += re.search(r"list\(APPEND skyway_loaded ([^)]*)\)", packages)[1].split()
-    listed += re.search(r"set\(skyway_loaded_if_there ([^)]*)\)", packages)[1].split()
+    for more in ("if_there", "by_cloud"):
+        listed += re.search(rf"set\(skyway_loaded_{more} ([^)]*)\)", packages)[1].split()
     found = list(loaded())
     if {package for _, _, package in found} != set(listed):
         yield f"packaging/packages.cmake lists {listed}, and the sources load {[package for _, _, package in found]}"

@@ -409,12 +409,12 @@ TEST(MakeDjiMission, IsNoFasterThanFifteenMetresASecond) {
 }
 
 // Ground that rises by 1 m per 10 m to the east of 0, known within 0.5 m, 400 m around.
-geom::GroundModel slope() {
+geom::GroundModel slope(geom::Axes axes = geom::Axes::enu) {
   std::vector<double> low;
   std::vector<double> high;
   for (int j = 0; j < 80; ++j) {
     for (int i = 0; i < 80; ++i) {
-      low.push_back(10 + std::max(0, i - 40));
+      low.push_back(10 + std::max(0, (axes == geom::Axes::enu ? i : j) - 40));
       high.push_back(low.back() + 1);
     }
   }
@@ -471,6 +471,17 @@ TEST(FlownDji, FollowsTheSurfaceWithinTheBandThatItsOperatorStates) {
   const double level = 100.06 / 9 + kEast / 4 + 1.5;
   EXPECT_GT(flown.seconds_over_terrain, level + (20 + 5 + 7) / 6.0);
   EXPECT_LT(flown.seconds_over_terrain, level + (20 + 5 + 15) / 6.0);
+}
+
+TEST(FlownDji, FollowsTheSurfaceOfAMapWhoseFirstAxisIsNorth) {
+  const geom::GroundModel east = slope();
+  const geom::GroundModel swapped = slope(geom::Axes::neu);
+  const TerrainRules surface{.ground = &east, .surface = {{20, 30}}};
+  const TerrainRules other{.ground = &swapped, .axes = geom::Axes::neu, .surface = {{20, 30}}};
+  const FlownDji flown = fly(along_the_surface(), {.surface = surface});
+  const FlownDji same = fly(along_the_surface(), {.surface = other});
+  EXPECT_EQ(same.path, flown.path);
+  EXPECT_EQ(same.leg_band, flown.leg_band);
 }
 
 TEST(FlownDji, WhereItMayBeBesideItsWayTheGroundCountsToo) {
