@@ -113,8 +113,11 @@ std::vector<SubmittedMission::Region> SubmittedMission::regions() const {
   const Vec3 around = Vec3::Constant(method_.buffer) + mission_.path_stray;
   const Vec3 planned = scene_.half() + around;
   if (const auto way = whole_way(scene_, mission_)) {
+    // Where the places of autopilots are known, these hold the bands of the legs, too.
+    const bool bands = mission_.drift.empty();
     for (std::size_t i = 1; i < way->size(); ++i) {
-      out.push_back({{(*way)[i - 1], (*way)[i]}, planned});
+      const Vec3 up(0, 0, bands ? band_of(mission_, i - 1) : 0);
+      out.push_back({{(*way)[i - 1], (*way)[i]}, planned + up});
     }
   }
   for (const Sweep& sweep : mission_.sweeps) out.push_back({sweep.hull, planned});

@@ -136,6 +136,16 @@ def make_over_surface(where):
     return where / "surface"
 
 
+def require_whole_band(folder):
+    """Volumes reach as far up and down as the band of heights, and as its ground and the landing."""
+    volumes = [one["volume"] for one in json.loads((folder / "volumes/town.json").read_text(encoding="utf-8"))["volumes"]]
+    low, high = ([v[f"altitude_{end}"]["value"] - 590 for v in volumes] for end in ("lower", "upper"))
+    band = json.loads((folder / "claims.jsonl").read_text(encoding="utf-8"))["terrain"]["band"]
+    assert max(b - a for a, b in zip(low, high)) > band > 30, (low, high, band)
+    # The hill is 551.5 m high and 60 m more; along the surface nothing is nearer to its ground of 540 m and more than 30 m.
+    assert max(high) > 611.5 - 5 and any(570 <= a < 590 for a in low), (low, high)
+
+
 def change_surface(folder, where):
     """What is said of the band of heights, signed anew."""
     def try_it(what, old, new, names):
@@ -416,7 +426,8 @@ def squeezed(line, how):
                     v[axis] = round(middle + 0.9 * (v[axis] - middle), 9)
         else:
             by = min(1, (volume["altitude_upper"]["value"] - volume["altitude_lower"]["value"]) / 2)
-            volume[f"altitude_{how}"]["value"] += -by if how == "upper" else by
+            said = volume[f"altitude_{how}"]
+            said["value"] = round(said["value"] + (-by if how == "upper" else by), 2)
     else:
         said = one["properties"]
         if how == "ring":
@@ -486,6 +497,7 @@ def main():
             followed = run(sys.executable, "-B", surface / "verify/verify_folder.py", surface)
             assert followed.returncode == 0, followed.stdout
             keep_their_schemas(surface, checked.stdout)
+            require_whole_band(surface)
             change_surface(surface, where)
             change_values(surface, where, "claims.jsonl")
             shrink_all(surface, where, "volumes/town.json")

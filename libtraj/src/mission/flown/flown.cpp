@@ -67,6 +67,12 @@ void turn(Axes axes, FlownMission& mission) {
 
 }  // namespace
 
+double band_of(const FlownLegs& flown, std::size_t leg) {
+  const std::size_t ascent = flown.ends.takeoff_from ? 1 : 0;
+  const bool has = leg >= ascent && leg - ascent < flown.leg_band.size();
+  return has ? flown.leg_band[leg - ascent] : 0;
+}
+
 const FlownLegs* legs_of(const Flown& flown) {
   if (const FlownMission* mission = mission_of(flown)) return mission;
   return std::get_if<FlownLegs>(&flown.way);

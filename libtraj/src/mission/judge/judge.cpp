@@ -79,9 +79,7 @@ std::vector<Vec3> strays(const FlownLegs& flown, std::size_t points) {
   if (flown.path_stray.isZero(0) && flown.leg_band.empty()) return {};
   std::vector<Vec3> stray(std::max<std::size_t>(points - 1, 1), flown.path_stray);
   const std::size_t ascent = flown.ends.takeoff_from ? 1 : 0;
-  for (std::size_t i = 0; i < flown.leg_band.size(); ++i) {
-    stray[i + ascent].z() += flown.leg_band[i];
-  }
+  for (std::size_t i = 0; i < stray.size(); ++i) stray[i].z() += band_of(flown, i);
   if (ascent) stray.front().z() = 0;
   if (flown.path.size() + ascent < points) stray.back().z() = 0;
   return stray;

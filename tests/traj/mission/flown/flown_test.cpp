@@ -84,5 +84,20 @@ TEST(Flown, TurnsACurveAndWhatItMayBeOff) {
   EXPECT_EQ(flown.stray[0].position, Vec3(2, 3, 1));
 }
 
+TEST(Flown, BandsAreOfTheLegsBehindTheAscent) {
+  FlownLegs legs;
+  legs.path = {{0, 0, 5}, {9, 0, 5}, {9, 9, 5}};
+  EXPECT_EQ(band_of(legs, 0), 0);
+  legs.leg_band = {2, 3};
+  EXPECT_EQ(band_of(legs, 0), 2);
+  EXPECT_EQ(band_of(legs, 1), 3);
+  EXPECT_EQ(band_of(legs, 2), 0) << "a landing";
+  legs.ends.takeoff_from = 0;
+  EXPECT_EQ(band_of(legs, 0), 0) << "the ascent";
+  EXPECT_EQ(band_of(legs, 1), 2);
+  EXPECT_EQ(band_of(legs, 2), 3);
+  EXPECT_EQ(band_of(legs, 3), 0);
+}
+
 }  // namespace
 }  // namespace traj

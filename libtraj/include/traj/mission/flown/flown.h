@@ -91,6 +91,10 @@ struct Flown {
   Vec3 navigation = Vec3::Zero();
 };
 
+// Metres up and down that the flight may be from a leg of its whole way (whole_way() of judge.h,
+// where the ascent is the first), beside what strays from all of the path.
+double band_of(const FlownLegs& flown, std::size_t leg);
+
 // Legs, alone or of a mission; null of others. Points into `flown`.
 const FlownLegs* legs_of(const Flown& flown);
 // The regions beside legs; null where `flown` is no mission.
