@@ -427,7 +427,8 @@ def squeezed(line, how):
         else:
             by = min(1, (volume["altitude_upper"]["value"] - volume["altitude_lower"]["value"]) / 2)
             said = volume[f"altitude_{how}"]
-            said["value"] = round(said["value"] + (-by if how == "upper" else by), 2)
+            value = round(said["value"] + (-by if how == "upper" else by), 2)
+            said["value"] = int(value) if value == int(value) else value  # as it is written
     else:
         said = one["properties"]
         if how == "ring":
