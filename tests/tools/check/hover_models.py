@@ -5,7 +5,7 @@ with |e| <= r. Each set of bounds has its own r; c and l are the same for all. W
 """
 
 from math import isqrt
-from operator import mul
+from operator import add, mul, neg, sub
 
 BITS = 96
 ONE = 1 << BITS
@@ -23,30 +23,55 @@ def fixed(x):
 
 
 class Symbols:
-    """The symbols and, for each set, their bounds (whole numbers)."""
+    """The symbols and, for each set, their bounds (whole numbers). Symbols may be added at any time."""
 
     def __init__(self, bounds):
-        self.bounds = [list(b) for b in bounds]
-        self.count = len(self.bounds[0])
-        self.slack = [3 + (sum(b) >> BITS) for b in self.bounds]  # units: c and every slope are rounded by at most one
+        self.bounds = [[] for _ in bounds]
+        self.slack = [3] * len(bounds)  # units: c and every slope are rounded by at most one
+        self.lanes = []  # bounds of each symbol as one number
+        for each in zip(*bounds):
+            self.add(each)
+
+    @property
+    def count(self):
+        return len(self.lanes)
+
+    def add(self, bounds):
+        """A symbol with these bounds, one in each set."""
+        for k, b in enumerate(bounds):
+            self.bounds[k].append(b)
+            self.slack[k] += (b >> BITS) + 1
+        self.lanes.append(lanes_of(bounds))
+        return len(self.lanes) - 1
 
     def constant(self, c, fault=0):
-        return Model(self, c, [0] * self.count, [fault] * len(self.bounds))
+        return Model(self, c, [], [fault] * len(self.bounds))
 
     def symbol(self, i, c=0):
-        l = [0] * self.count
-        l[i] = ONE
-        return Model(self, c, l, [0] * len(self.bounds))
+        return Model(self, c, [0] * i + [ONE], [0] * len(self.bounds))
 
-    def named(self, model, i):
-        """The same with its remainder as the symbol i, which has not been in use."""
-        for k, r in enumerate(model.r):
-            self.bounds[k][i] = r
-            self.slack[k] += (r >> BITS) + 1
-        return Model(self, model.c, [*model.l[:i], ONE, *model.l[i + 1:]], [0] * len(model.r))
+    def named(self, model):
+        """The same with its remainder as a symbol of its own."""
+        i = self.add(model.r)
+        return Model(self, model.c, [*model.l, *[0] * (i - len(model.l)), ONE], [0] * len(model.r))
+
+
+# Bounds of all sets stand side by side in one number, so one sum of products is for all.
+LANE = 192  # bits of each
+LOWEST = (1 << LANE) - 1
+COARSE = 48  # bits that bounds have less here
+SLOPES, BOUNDS = 1 << BITS + 20, 1 << BITS + 16  # the largest that a lane has room for, with 2^11 symbols
+
+
+def lanes_of(bounds):
+    if max(bounds) >= BOUNDS:
+        raise ArithmeticError("a bound is too large")
+    return sum(-(-b >> COARSE) << LANE * k for k, b in enumerate(bounds))
 
 
 class Model:
+    """Symbols from len(l) on have no slope."""
+
     __slots__ = ("of", "c", "l", "r", "_radius")
 
     def __init__(self, of, c, l, r):
@@ -57,7 +82,12 @@ class Model:
         """Of each set: how far it may be from c."""
         if self._radius is None:
             sizes = list(map(abs, self.l))
-            self._radius = [(sum(map(mul, sizes, b)) >> BITS) + 1 + r for b, r in zip(self.of.bounds, self.r)]
+            if sizes and max(sizes) >= SLOPES:
+                raise ArithmeticError("a slope is too large")
+            total, self._radius = sum(map(mul, sizes, self.of.lanes)), []
+            for r in self.r:
+                self._radius.append(((total & LOWEST) >> BITS - COARSE) + 1 + r)
+                total >>= LANE
         return self._radius
 
     def least(self):
@@ -67,10 +97,12 @@ class Model:
         return Model(self.of, -self.c, [-x for x in self.l], self.r)
 
     def __add__(self, other):
-        return Model(self.of, self.c + other.c, [x + y for x, y in zip(self.l, other.l)], [x + y for x, y in zip(self.r, other.r)])
+        a, b = self.l, other.l
+        return Model(self.of, self.c + other.c, [*map(add, a, b), *a[len(b):], *b[len(a):]], [*map(add, self.r, other.r)])
 
     def __sub__(self, other):
-        return Model(self.of, self.c - other.c, [x - y for x, y in zip(self.l, other.l)], [x + y for x, y in zip(self.r, other.r)])
+        a, b = self.l, other.l
+        return Model(self.of, self.c - other.c, [*map(sub, a, b), *a[len(b):], *map(neg, b[len(a):])], [*map(add, self.r, other.r)])
 
     def plus(self, c):
         return Model(self.of, self.c + c, self.l, self.r)
@@ -88,7 +120,9 @@ class Model:
         a, b = self.c, other.c
         r = [((abs(a) * rb + abs(b) * ra + da * db) >> BITS) + 1 + s
              for ra, rb, da, db, s in zip(self.r, other.r, self.radius, other.radius, self.of.slack)]
-        return Model(self.of, a * b >> BITS, [(a * y + b * x) >> BITS for x, y in zip(self.l, other.l)], r)
+        l = [(a * y + b * x) >> BITS for x, y in zip(self.l, other.l)]
+        l += [b * x >> BITS for x in self.l[len(l):]] + [a * y >> BITS for y in other.l[len(l):]]
+        return Model(self.of, a * b >> BITS, l, r)
 
     def through(self, value, slope, bends):
         """g(self), of g and its slope at c, both off by at most FAULT, and for each set a bound of its second derivative."""

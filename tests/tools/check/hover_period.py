@@ -1,17 +1,30 @@
-"""A period of the closed loop about a hovering vehicle's equilibrium, in the Taylor models of hover_models.py: what all controllers have.
+"""A period of the closed loop about a hovering vehicle's equilibrium, in the Taylor models of hover_models.py.
+
+A period is the shortest time after which all loops of the controller run in the same way again: one run of the geometric controller, but several of the
+cascade's loops.
 
 docs/tube.md names the coordinates. Here the reference rests, so the wanted frame turns by changes of the lift alone. The acceleration that lift and drag
 give (the lift's deviation, and the drag of gust, wind and velocity) stands for the gust.
 """
 
+import math
 from fractions import Fraction as F
+from math import isqrt
 
-from hover_models import ONE, Model, Symbols, arcus_sine, cos_of, cosine, exp_of, fixed, inverse, root, sin_of, sine
+from hover_models import BITS, FAULT, ONE, Symbols, arcus_sine, cos_of, cosine, exp_of, fixed, inverse, root, sin_of, sine
 
 GRAVITY = F(980665, 100000)
 STEP = F(1, 1000)
 FILTER_SHARE = STEP / (STEP + 1 / (2 * F(3.141592653589793) * 30))
+VELOCITY_FILTER = 1 / (2 * F(3.141592653589793) * 5)  # s, of the derivative in the cascade's velocity loop
+YAW_WEIGHT = F(2, 5)  # of the error about the vertical axis
+LEAST_LIFT = F(3, 10) * GRAVITY
 HELD = 9  # symbols: mean wind (3), lightness, drag, quickness of the motors, agility (3)
+
+
+def half_of(middle, half):
+    """Of a range around this middle, which is rounded, too."""
+    return 0 if half == 0 and F(fixed(F(middle)), ONE) == F(middle) else fixed(F(half)) + 2
 
 
 # ---- Vectors of three models.
@@ -101,6 +114,7 @@ class Loop:
     def __init__(self, claim, cell, yaw):
         self.claim = claim
         f = lambda values: [F(v) for v in values]
+        self.span = self.milliseconds(claim)
         self.mass, self.inertia, self.arm, self.drag_gains = F(claim.mass), f(claim.inertia), f(claim.arm), f(claim.drag)
         self.reach, self.motor_lag = F(claim.torque_per_thrust), F(claim.motor_time_constant)
         self.drag_rate = self.drag_gains[0] / self.mass
@@ -110,16 +124,15 @@ class Loop:
         self.gust_most = fixed(F(claim.gust_most)) + 1
         wind, radius, factors, halves = cell.nominal()
         self.held = [fixed(F(m)) for m in (*wind, *factors)]
-        self.halves = [fixed(F(h)) + 2 for h in (*radius, *halves)]  # each middle is rounded, too
-        self.gusts = self.COUNT + HELD  # where symbols of gusts begin, and of named errors
-        self.named = self.gusts + 3 * claim.period
-        self.symbols = self.named + self.NAMED(claim.period)
+        self.halves = [half_of(m, h) for m, h in zip((*wind, *factors), (*radius, *halves))]
+        self.gusts = self.COUNT + HELD  # where slopes by gusts begin, and by named errors
+        self.named = self.gusts + 3 * self.span
         self.middle = self.equilibrium()
 
     def start_period(self, bounds):
         """With these bounds of the coordinates, a list for each set."""
-        count = self.symbols - self.named
-        of = self.of = Symbols([[*b, *self.halves, *[self.gust_most] * (3 * self.claim.period), *[0] * count] for b in bounds])
+        of = self.of = Symbols([[*b, *self.halves] for b in bounds])
+        self.gust_symbols, self.named_symbols = [], []
         at = lambda i: of.symbol(i, self.middle[i])
         self.state = [at(i) for i in range(self.COUNT)]
         held = [of.symbol(self.COUNT + i, m) for i, m in enumerate(self.held)]
@@ -134,6 +147,15 @@ class Loop:
                 self.gust[i] = away.times(1 / self.drag_rate) + self.away(3 + i, self.velocity[i]) - self.wind_away(i)
         self.commands, self.moved, self.upright = [], [], []
 
+    def level(self, off, speed):
+        """The vehicle before the controller first runs: how far off it is, how it moves, and what its thrust lacks of the believed weight."""
+        self.start_period([[off] * 3 + [speed] * 3 + [0] * (self.COUNT - 6)])
+        zero = self.of.constant(0)
+        self.lift, self.gust = [zero, zero, zero.plus(fixed(GRAVITY))], [zero] * 3
+        self.wanted = Wanted(self.lift, *self.heading)
+        place, speed = ([self.of.symbol(k + i) for i in range(3)] for k in (0, 3))
+        return place, speed, inverse(self.lightness).times(-GRAVITY).plus(fixed(GRAVITY))
+
     def away(self, i, model):
         """A coordinate's deviation from the equilibrium."""
         return model.plus(-self.middle[i])
@@ -146,9 +168,18 @@ class Loop:
         d, gust = self.drag_rate, self.COUNT - 3 + i
         return ([(i, F(1)), (3 + i, -d), (gust, d)] if d else [(gust, F(1))]), d
 
+    def named_error(self, model):
+        """The same, with what is not linear as a symbol."""
+        self.named_symbols.append(self.of.count)
+        return self.of.named(model)
+
+    def named_bounds(self, k):
+        return [self.of.bounds[k][i] for i in self.named_symbols]
+
     def by_coordinates(self, model):
-        """The slopes by the coordinates, with the gust in place of the acceleration, and by all that comes after."""
-        out = list(model.l)
+        """The slopes by the coordinates, with the gust in place of the acceleration, by what is held, by each millisecond's gust and by named errors."""
+        slopes = [*model.l, *[0] * (self.of.count - len(model.l))]
+        out = [*slopes[:self.gusts], *(slopes[i] for i in (*self.gust_symbols, *self.named_symbols))]
         for i in range(3):
             a, (parts, wind) = out[self.COUNT - 3 + i], self.balance(i)
             out[self.COUNT - 3 + i] = 0
@@ -184,7 +215,7 @@ class Loop:
         faster = subtract([s * g for s, g in zip(spin, self.agility)], self.spun(w, self.agility))
         return [*v, *force, *own_slope, heading, *faster, *(self.lag * (a - s) for a, s in zip(self.asked, spin)), *faster]
 
-    def move(self, parts, millisecond):
+    def move(self, parts):
         """A millisecond of Runge and Kutta's method, and the gust after it."""
         wind = add(self.wind, self.gust)
         go = lambda slope, h: [a + b.times(h) for a, b in zip(parts, slope)]
@@ -194,8 +225,9 @@ class Loop:
         k4 = self.slope(go(k3, STEP), wind)
         out = go([a + (b + c).times(F(2)) + d for a, b, c, d in zip(k1, k2, k3, k4)], STEP / 6)
         share, fault = F(self.kept, ONE), 4 * self.gust_most // ONE + 4
-        first = self.gusts + 3 * millisecond
-        self.gust = [g.times(share) + self.of.symbol(first + i).times(1 - share).wider(fault) for i, g in enumerate(self.gust)]
+        new = [self.of.add([self.gust_most] * len(self.of.bounds)) for _ in range(3)]
+        self.gust_symbols += new
+        self.gust = [g.times(share) + self.of.symbol(i).times(1 - share).wider(fault) for g, i in zip(self.gust, new)]
         self.moved.append(out[:3])
         self.upright.append(self.wanted.outside(self.body(out[6:-10], out[-10]).z)[2])
         return out
@@ -206,6 +238,12 @@ class Loop:
         x, y, z = (a.times(j / (4 * arm)) for a, j, arm in zip(self.asked, self.inertia, arms))
         mean = thrust.times(self.mass / 4)
         self.commands.append([mean - x - y - z, mean + x + y - z, mean + x - y + z, mean - x + y + z])
+
+    def motor_limits(self):
+        """What must be above 0: (words, models, room by their least and by their most)."""
+        least, most = (fixed(F(m)) for m in (self.claim.motor_least, self.claim.motor_most))
+        room = lambda low, high: min(most - high[0], low[0] - least)
+        return [(f"motor {i + 1} may leave its range", [m], room) for command in self.commands for i, m in enumerate(command)]
 
     def steady_lift(self):
         """The lift that holds the middle's weight in its wind. Drag depends on how the vehicle leans into the wind, so this is a fixed point; it need not be
@@ -228,10 +266,11 @@ class Geometric(Loop):
 
     COUNT = 25
     SPINS = range(13, 22)
+    PHASES = (0, 1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 17, 20, 25, 30, 40, 60, 100, 180, 340, 700)  # periods from which on other bounds of the coordinates hold
 
     @staticmethod
-    def NAMED(period):
-        return 3 * period
+    def milliseconds(claim):
+        return claim.period
 
     def equilibrium(self):
         self.velocity_gains, self.rate_gains, self.lead = ([F(v) for v in gains] for gains in (self.claim.velocity, self.claim.rates, self.claim.lead))
@@ -259,7 +298,7 @@ class Geometric(Loop):
         turn = [w[1] * a - w[0] * b for a, b in zip(body.x, body.y)]
         return own[:3], [*(-(lacks * z + self.force * t) for z, t in zip(body.z, turn)), -lacks]
 
-    def command(self, parts, filtered, millisecond):
+    def command(self, parts, filtered):
         """What thrust and torque the motors are told. Second-order terms of the torque become symbols. Returns what the thrust lacks."""
         lag, w = parts[6:9], parts[-9:-6]
         body = self.body(parts[6:-10], parts[-10])
@@ -270,7 +309,7 @@ class Geometric(Loop):
         error = [shrink * dot(body.y, lag) - dot(body.z, second).times(half), -(shrink * dot(body.x, lag)) - dot(dz, dx).times(half),
                  dot(body.x, second).times(half) - body.y[0]]
         spin = subtract(self.spun(w, None), add(add(times(self.attitude, error), times(self.rate_gains, w)), times(self.lead, filtered)))
-        self.asked = [self.of.named(s, self.named + 3 * millisecond + i) for i, s in enumerate(spin)]
+        self.asked = [self.named_error(s) for s in spin]
         self.motors(self.wanted.size * body.z[2])
         return dot(lag, body.z)
 
@@ -280,10 +319,10 @@ class Geometric(Loop):
         self.wanted = Wanted(self.lift, *self.heading)
         filtered, seen, zero = self.state[16:19], self.state[19:22], self.of.constant(0)
         parts = [zero, zero, zero, *self.velocity, *self.state[6:9], zero, *self.state[9:16], zero, zero, zero]
-        for millisecond in range(self.claim.period):
+        for _ in range(self.span):
             filtered = add(times(1 - FILTER_SHARE, filtered), times(FILTER_SHARE / STEP, seen))
-            parts[9] = self.command(parts, filtered, millisecond)
-            parts = self.move(parts, millisecond)
+            parts[9] = self.command(parts, filtered)
+            parts = self.move(parts)
             seen, parts[-3:] = parts[-3:], [zero] * 3
         change = [-(parts[i].times(self.position[i]) + (parts[3 + i] - self.velocity[i]).times(self.velocity_gains[i])) for i in range(3)]
         return self.changed(change, parts, filtered, seen)
@@ -297,15 +336,191 @@ class Geometric(Loop):
         lift = add(self.lift, change)
         return [*lift, *parts[3:6], *lag, heading, *parts[-9:-3], *filtered, *seen, *self.gust]
 
+    def limits(self):
+        return self.motor_limits()
+
+    def away_in_period(self):
+        """How far the vehicle may be from where it was when the period began."""
+        return self.moved
+
     def start(self, off, speed):
         """The state when the controller first runs. The symbols of the lift stand for how far the vehicle is off, those of the velocity for how it moves."""
-        self.start_period([[off] * 3 + [speed] * 3 + [0] * (self.COUNT - 6)])
+        place, speed, lacks = self.level(off, speed)
         zero = self.of.constant(0)
-        place, speed = ([self.of.symbol(k + i) for i in range(3)] for k in (0, 3))
-        self.lift = [zero, zero, zero.plus(fixed(GRAVITY))]
-        self.gust = [zero] * 3
-        self.wanted = Wanted(self.lift, *self.heading)
-        lacks = inverse(self.lightness).times(-GRAVITY).plus(fixed(GRAVITY))
         parts = [zero, zero, zero, *speed, zero, zero, lacks, *[zero] * 10]
         change = [-(p.times(k) + v.times(g)) for p, v, k, g in zip(place, speed, self.position, self.velocity_gains)]
         return self.changed(change, parts, [zero] * 3, [zero] * 3)
+
+
+class Cascade(Loop):
+    """Coordinates: lift (3), velocity (3), tilt (2), what the thrust lacks, heading, rates (3), spin (3), low-passed angular acceleration (3), integral of
+    the rate loop (3), the velocity's error when the position loop last ran (3), its low-passed derivative (3), how the lift would change if that loop ran
+    now (3), acceleration (3)."""
+
+    COUNT = 34
+    SPINS = range(13, 22)
+    PHASES = (0, 1, 2, 4, 8, 16, 40, 100, 300)
+
+    def __init__(self, claim, cell, yaw):
+        f = lambda values: [F(v) for v in values]
+        k, self.again = claim.velocity, STEP * claim.position_period
+        share = self.again / (self.again + VELOCITY_FILTER)
+        self.share, self.push = share, f(k.p)
+        self.of_missed = [self.again * i for i in f(k.i)]  # what the errors add to the lift when the position loop runs
+        self.of_slope = [share * d for d in f(k.d)]
+        self.of_drift = [p + m + s / self.again for p, m, s in zip(self.push, self.of_missed, self.of_slope)]
+        self.rate_gains = [f(gains) for gains in (claim.rates.p, claim.rates.i, claim.rates.d)]
+        super().__init__(claim, cell, yaw)
+
+    @staticmethod
+    def milliseconds(claim):
+        return math.lcm(claim.position_period, claim.period)
+
+    def equilibrium(self):
+        return [*self.steady_lift(), *[0] * 31]
+
+    def place_rows(self):
+        for i in range(3):
+            row = [F(0)] * self.COUNT
+            row[3 + i], row[22 + i] = F(1), 1 - self.of_missed[i] / self.of_drift[i]
+            row[25 + i], row[28 + i] = self.of_slope[i] / self.of_drift[i], 1 / self.of_drift[i]
+            yield [-a / self.position[i] for a in row]
+
+    def place(self):
+        return [F(0)] * 3
+
+    def body(self, own, heading):
+        x, y, _ = own
+        return Axes([x, y, root((-(x * x + y * y)).plus(ONE))], sine(heading), cosine(heading))
+
+    def own_slope(self, own, body, w):
+        """The lag, and slopes of tilt and of what the thrust lacks."""
+        x, y, lacks = own
+        thrust = self.wanted.size - lacks
+        sunk = (x * x + y * y) * inverse(body.z[2].plus(ONE))
+        tilt = [w[1] * a - w[0] * b for a, b in zip(body.x[:2], body.y[:2])]
+        return [-(thrust * x), -(thrust * y), lacks + thrust * sunk], [*tilt, -(self.lag * lacks)]
+
+    def drift(self, due, missed, rises):
+        """By how much the velocity's error has changed since the position loop ran."""
+        return times([1 / k for k in self.of_drift], add(subtract(due, times(self.of_missed, missed)), times(self.of_slope, rises)))
+
+    def follow(self, parts):
+        """The loops of position and velocity run."""
+        v = parts[3:6]
+        due = subtract(self.lead, times(self.of_drift, v))
+        drift = self.drift(due, self.missed, self.rises)
+        _, growth, d = self.wanted.turned(due)
+        body = self.body(parts[6:9], parts[9])
+        tilt = [a + dot(axis, body.z) for a, axis in zip(parts[6:8], d)]
+        parts = [*parts[:6], *tilt, parts[8] + growth, turned_heading(parts[9], body.x, d), *parts[10:]]
+        self.lift, self.missed = add(self.lift, due), add(self.missed, drift)
+        self.rises = add(times(1 - self.share, self.rises), times(self.share / self.again, drift))
+        pushed = times(self.of_missed, self.missed)
+        self.lead = add(subtract(pushed, times(self.of_slope, self.rises)), times(self.of_drift, v))
+        self.wanted = Wanted(self.lift, *self.heading)
+        acceleration = [*self.lift[:2], self.lift[2].plus(-fixed(GRAVITY))]
+        self.runs.append((add(self.missed, v), [*subtract(acceleration, pushed), *acceleration], self.lift))
+        return parts
+
+    def orient(self, parts):
+        """The attitude loop runs: the rates that are wanted."""
+        body = self.body(parts[6:9], parts[9])
+        x, y, z = body.x[2], body.y[2], body.z[2]  # the wanted z axis in the body's frame
+        above = z.plus(ONE)
+        half = root(above.times(F(1, 2)))
+        off = x * body.z[1] * inverse(above) - body.x[1]  # the sine of the angle that is left about z
+        rest = arcus_sine(off).times(YAW_WEIGHT / 2)
+        c, s, grow = cosine(rest), sine(rest), inverse(half)
+        error = [grow * (x * s - y * c), grow * (x * c + y * s), (half * s).times(F(2))]
+        self.rates = [self.named_error(e) for e in times(self.attitude, error)]
+        self.turns.append(self.rates)
+
+    def command(self, parts, filtered):
+        """What the motors are told. What is not linear in the torque becomes symbols."""
+        p, i, d = self.rate_gains
+        error = subtract(self.rates, parts[-9:-6])
+        rest = subtract(times(p, error), times(d, filtered))
+        before = add(rest, self.integral)
+        self.integral = add(self.integral, times([STEP * k for k in i], error))
+        spin = add(rest, self.integral)
+        self.spins += [*before, *spin]
+        self.asked = [self.named_error(s) for s in add(spin, self.spun(parts[-9:-6], None))]
+        self.motors(self.wanted.size)
+
+    def run(self, bounds):
+        self.start_period(bounds)
+        self.wanted = Wanted(self.lift, *self.heading)
+        filtered, self.integral, self.missed, self.rises, due = (self.state[k:k + 3] for k in (16, 19, 22, 25, 28))
+        self.lead = add(due, times(self.of_drift, self.velocity))  # what is due without the velocity: no force acts on it
+        self.runs, self.turns, self.spins = [], [], []
+        zero = self.of.constant(0)
+        parts = [zero, zero, zero, *self.state[3:16], zero, zero, zero]
+        for millisecond in range(self.span):
+            if millisecond % self.claim.position_period == 0:
+                parts = self.follow(parts)
+            if millisecond % self.claim.period == 0:
+                self.orient(parts)
+            self.command(parts, filtered)
+            before, parts = parts[:3], self.move(parts)
+            filtered = add(times(1 - FILTER_SHARE, filtered), times(FILTER_SHARE / STEP, parts[-3:]))
+            parts[-3:] = [zero] * 3
+            lost = times(self.position, subtract(parts[:3], before))
+            self.lead = subtract(self.lead, times(self.of_drift, lost))
+        velocity = [self.named_error(v) for v in parts[3:6]]
+        due = subtract(self.lead, times(self.of_drift, velocity))
+        return [*self.lift, *velocity, *parts[6:16], *filtered, *self.integral, *self.missed, *self.rises, *due, *self.gust]
+
+    def away_in_period(self):
+        """How far the vehicle may be from the straight way from where it was when the period began to where it is when the period ends."""
+        whole = self.moved[-1]
+        return [[a - b.times(F(k + 1, self.span)) for a, b in zip(moved, whole)] for k, moved in enumerate(self.moved)]
+
+    def limits(self):
+        """Nothing is clipped. The sizes of what two loops ask for are limited axis by axis."""
+        claim = self.claim
+
+        def within(words, most, models):
+            """Each of these models."""
+            if most == math.inf:
+                return []
+            most = fixed(F(most))
+            return [(words, [m], lambda low, high: most - max(high[0], -low[0])) for m in models]
+
+        out = self.motor_limits()
+        for i, most in enumerate(claim.body_rate_max):
+            out += within("the rates may be clipped", most, [rates[i] for rates in self.turns])
+        out += within("the angular acceleration may be clipped", claim.clips.rates, self.spins)
+        for speed, accelerations, lift in self.runs:
+            out += within("the velocity may be clipped", claim.clips.position, speed)
+            out += within("the acceleration may be clipped", claim.clips.velocity, accelerations)
+            out += [("the lift may be clipped", lift, self.lift_room), ("the tilt may be clipped", lift, self.tilt_room)]
+        return out
+
+    def lift_room(self, low, high):
+        most = fixed(4 * F(self.claim.motor_most) / self.mass)
+        least = min(fixed(LEAST_LIFT) + 1, most)
+        if high[2] >= most:
+            return most - high[2]
+        return min(low[2] - least, isqrt(most * most - high[2] * high[2]) - across(low, high))
+
+    def tilt_room(self, low, high):
+        angle = fixed(F(self.claim.tilt_max))
+        return (low[2] * (sin_of(angle) - FAULT) - across(low, high) * (cos_of(angle) + FAULT)) >> BITS
+
+    def start(self, off, speed):
+        """The state when the controller first runs, as if it had seen the velocity's error before: so it has no slope yet, and its integral is due."""
+        place, speed, lacks = self.level(off, speed)
+        zero = self.of.constant(0)
+        missed = [-(p.times(k) + v) for p, v, k in zip(place, speed, self.position)]
+        change = times(self.push, missed)
+        _, growth, d = self.wanted.turned(change)
+        body = self.body([zero, zero, zero], zero)
+        tilt = [dot(axis, body.z) for axis in d[:2]]
+        heading = turned_heading(zero, body.x, d)
+        return [*add(self.lift, change), *speed, *tilt, lacks + growth, heading, *[zero] * 12, *missed, *[zero] * 3, *times(self.of_missed, missed), *self.gust]
+
+
+def across(low, high):
+    """The most of the horizontal part of a lift."""
+    return isqrt(sum(max(b, -a) ** 2 for a, b in zip(low[:2], high))) + 1

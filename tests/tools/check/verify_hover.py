@@ -17,7 +17,7 @@ from math import isqrt
 from operator import add, mul, sub
 
 from hover_models import BITS, FAULT, ONE, SidewaysError, cos_of, fixed
-from hover_period import GRAVITY, HELD, Geometric
+from hover_period import GRAVITY, HELD, Cascade, Geometric
 from tube_claim import Claim, cells_of, segments_of, verify_files
 from verify_certificate import Refused, require, run_main
 
@@ -26,14 +26,17 @@ def fixed_up(x):
     return fixed(F(x)) + 1
 
 
-LAWS = {"geometric": Geometric}
-SLACK, SPIN_SLACK = fixed_up(F(1, 10**9)), fixed_up(F(1, 10**7))  # in each coordinate and period, and in angular accelerations (docs/tube.md)
-PHASES = (0, 1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 17, 20, 25, 30, 40, 60, 100, 180, 340, 700)  # periods from which on other bounds of the coordinates hold
-DIED = 200  # a power has died away when it makes at most this part of each sum
+LAWS = {"geometric": Geometric, "cascade": Cascade}
+SLACK, SPIN_SLACK = F(1, 10**9), F(1, 10**7)  # in each coordinate and run of the attitude loop, and in angular accelerations (docs/tube.md)
+DIED = 200  # what has died away makes at most this part of each sum
 ACTED = 100  # periods, in which all disturbances have begun to act
-LONGEST = 6000  # periods, until which it must have
+LOOK = 50  # periods, after which the script looks again whether what is held has settled
+LONGEST = 6000  # periods, until which all must have
 LARGEST = ONE << 20  # of sums
 ROUNDS = 30  # of larger bounds, then there are none
+LAPS = 400  # until a bound of all that is old is found
+HALVINGS = 13  # at most so often the time doubles, in which only what is slow is left
+ONLY_SLOW = 50  # then the place keeps at most this part
 
 
 def group_begins(k):
@@ -61,179 +64,433 @@ def swing(slopes, bounds):
     return (sum(map(mul, map(abs, slopes), bounds)) >> BITS) + 1
 
 
+def swings(rows, bounds):
+    return [swing(row, bounds) for row in rows]
+
+
+def largest(rows):
+    return [max(column) for column in zip(*rows)]
+
+
 def reach(rows):
-    """How far the image of a ball reaches, of the three rows of a matrix k: Gershgorin's bound of k^T k."""
+    """How far the image of a ball reaches, of the rows of a matrix k: Gershgorin's bound of k^T k."""
     columns = list(zip(*rows))
     return isqrt(max(sum(abs(sum(map(mul, a, b))) for b in columns) for a in columns)) + 1
 
 
-# ---- A cell.
+def reaches(rows):
+    """The sum of what balls reach, whose columns stand side by side."""
+    return sum(reach([row[k:k + 3] for row in rows]) for k in range(0, len(rows[0]), 3))
+
+
+# ---- What is held.
+
+class Held:
+    """What the symbols that are held, those of the start and the middle have done to the coordinates at the begin of each period, and linearly: a column of
+    each. They act in all periods, so what they do settles. The last column is that of the middle."""
+
+    def __init__(self, hover):
+        loop, count = hover.loop, hover.count
+        slopes = [[*m.l, *[0] * (count + HELD - len(m.l))] for m in hover.start]
+        begun, added = list(zip(*slopes)), hover.columns[count:loop.gusts]
+        self.columns, self.added, self.symbols, self.balls, self.singles = [], [], [], [], []
+        none = [0] * count
+
+        def take(bound, symbols, starts, adds, is_ball):
+            if bound:
+                (self.balls if is_ball else self.singles).append((len(self.columns), bound))
+                self.columns += starts
+                self.added += adds
+                self.symbols += symbols
+
+        winds = [(0, 3)] if hover.is_ball else [(i, i + 1) for i in range(3)]
+        for first, last in (*winds, *((i, i + 1) for i in range(3, HELD))):
+            take(hover.halves[first], range(first, last), begun[count + first:count + last], added[first:last], last > first + 1)
+        for k, off in enumerate(hover.off):
+            take(off, [None] * 3, begun[3 * k:3 * k + 3], [none] * 3, True)
+        self.columns.append([m.c - c for m, c in zip(hover.start, loop.middle)])
+        self.added.append(none)
+        self.settle(hover.rows)
+
+    def settle(self, rows):
+        """Carries the columns on until they hardly change. How long that takes is no claim."""
+        self.at, most, steps, before = [self.columns], [0] * len(rows), [0] * len(rows), None
+        while True:
+            last = self.at[-1]
+            self.at.append([list(map(add, a, b)) for a, b in zip(product(last, rows), self.added)])
+            steps = list(map(max, steps, self.most(zip(*(map(sub, a, b) for a, b in zip(self.at[-1], last))))))
+            if (len(self.at) - 1) % LOOK:
+                continue
+            most = list(map(max, most, self.most(zip(*last))))
+            if len(self.at) > ACTED and before and all(map(self.has_settled, most, steps, before)):
+                return
+            require(len(self.at) < LONGEST and max(most) < LARGEST, "its loop hardly damps, or its gusts last too long")
+            before, steps = steps, [0] * len(rows)
+
+    @staticmethod
+    def has_settled(most, now, then):
+        """As if steps became smaller at the same rate for ever."""
+        return now < ONE >> 60 or DIED * LOOK * now * then < most * (then - now)
+
+    def most(self, rows):
+        """What the symbols and the middle do at most, of each row."""
+        return [abs(r[-1]) + 2 + (sum(size(r[k:k + 3]) * b for k, b in self.balls) + sum(abs(r[k]) * b for k, b in self.singles) >> BITS)
+                for r in map(list, rows)]
+
+    @property
+    def until(self):
+        return len(self.at) - 2
+
+    def last_step(self):
+        """What each symbol still changes in the period `until`, and the symbols' bounds."""
+        bounds = {k + i: b for k, b in self.balls for i in range(3)} | dict(self.singles) | {len(self.columns) - 1: ONE}
+        return [list(map(sub, a, b)) for a, b in zip(self.at[-1], self.at[-2])], [bounds[k] for k in range(len(self.columns))]
+
+
+# ---- What is not.
 
 class Sums:
-    """What all disturbances so far do to some linear forms, from period to period. The coordinates' deviations follow x <- L x + C s + G n + N e + r:
-    symbols s are held, gusts n and named errors e are new in each period. A form is a row for x and a row for s."""
+    """What gusts, remainders and named errors so far do to some linear forms, from period to period. The coordinates' deviations follow x <- L x + G n + N e + r.
+    Gusts n, named errors e and remainders r are new in each period. Powers of L are followed until what they leave is slow: then the sum of `known` forms in
+    that period bounds what is older."""
 
-    def __init__(self, loop, after, start, forms):
-        count = loop.COUNT
-        slopes = [loop.by_coordinates(m) for m in after]
-        columns = list(zip(*slopes))
-        self.map, self.rows, self.fresh = columns[:count], [row[:count] for row in slopes], columns[loop.gusts:]
-        self.gusts = loop.named - loop.gusts
-        self.forms, self.powers = [row for row, _ in forms], [row for row, _ in forms]
-        self.direct = [held + [0] * 7 for _, held in forms]
-        # Columns: what each held symbol, each symbol of the start, and the middle's start have done so far.
-        begun = [[m.l[i] for m in start] for i in (*range(count, count + HELD), *range(6))]
-        self.responses = [*begun, [m.c - c for m, c in zip(start, loop.middle)]]
-        self.added = [*columns[count:loop.gusts], *[[0] * count] * 7]
-        self.gust_sums, self.box_sums = [0] * len(forms), [[0] * (count + len(self.fresh) - self.gusts) for _ in forms]
-        self.gust_reach = self.count = 0
-        self.place = slice(count, count + 3)
+    def __init__(self, hover, rows, triples=()):
+        """Of each triple of forms the reach of gusts is added up, too."""
+        self.columns, self.map, self.gust_columns = hover.fresh_columns, hover.columns[:hover.count], 3 * hover.loop.span
+        self.steady, self.most, self.triples = len(hover.held.columns), hover.loop.gust_most, triples
+        self.powers, self.count = rows, 0
+        self.gusts, self.reaches, self.settled = [[0] * len(rows)], [[0] * len(triples)], [[0] * self.steady for _ in rows]
+        self.box, self.boxes = [[0] * (hover.count + len(self.columns) - self.gust_columns - self.steady) for _ in rows], {}
 
-    def responses_of_forms(self):
-        return [list(map(add, a, b)) for a, b in zip(product(self.forms, self.responses), self.direct)]
+    def advance(self, noted):
+        if noted:
+            self.boxes[self.count] = self.box[:]
+        new, gusts, named = product(self.powers, self.columns), self.gust_columns, -self.steady
+        self.box = [list(map(add, box, map(abs, (*power, *row[gusts:named])))) for box, power, row in zip(self.box, self.powers, new)]
+        self.settled = [list(map(add, a, map(abs, row[named:]))) for a, row in zip(self.settled, new)]
+        self.gusts.append([a + sum(map(size, threes(row[:gusts]))) for a, row in zip(self.gusts[-1], new)])
+        self.reaches.append([a + reaches([row[:gusts] for row in new[k:k + 3]]) for a, k in zip(self.reaches[-1], self.triples)])
+        self.powers, self.count = product(self.powers, self.map), self.count + 1
 
-    def advance(self):
-        new = product(self.powers, self.fresh)
-        for i, (row, power) in enumerate(zip(new, self.powers)):
-            self.gust_sums[i] += sum(map(size, threes(row[:self.gusts])))
-            self.box_sums[i] = [a + abs(b) for a, b in zip(self.box_sums[i], (*power, *row[self.gusts:]))]
-        self.gust_reach += sum(reach([row[k:k + 3] for row in new[self.place]]) for k in range(0, self.gusts, 3))
-        self.powers = product(self.powers, self.map)
-        self.responses = [list(map(add, a, b)) for a, b in zip(product(self.responses, self.rows), self.added)]
-        self.count += 1
+    def end(self, slow):
+        """No power is followed any further. `tails` are by the coordinates, gusts among them, and by the slow forms."""
+        self.boxes[self.count] = self.box
+        self.noted = sorted(self.boxes)
+        self.tails = [slow.divided(row) for row in self.powers]
 
+    def between(self, newest, oldest):
+        """By remainders and named errors that are `newest` or more periods old, and less than `oldest`, or some more."""
+        above, below = bisect.bisect_left(self.noted, oldest), bisect.bisect_right(self.noted, newest) - 1
+        return [map(sub, a, b) for a, b in zip(self.boxes[self.noted[above]], self.boxes[self.noted[below]])]
+
+    def gusts_of(self, age):
+        """What gusts of the last periods do."""
+        return [(g * self.most >> BITS) + 2 for g in self.gusts[age]]
+
+
+class Slow:
+    """Linear forms that the loop hardly mixes with others: what is left of old deviations depends on these. Any forms are right."""
+
+    def __init__(self, rows=(), bounds=()):
+        """They must differ. `bounds` of the coordinates say which of them count."""
+        self.rows, self.pivots, left = [], [], []
+        for row in rows:
+            rest = [F(a * b) for a, b in zip(row, bounds)]
+            for p, other in zip(self.pivots, left):
+                share = rest[p] / other[p]
+                rest = [a - share * b for a, b in zip(rest, other)]
+            pivot = max(range(len(rest)), key=lambda i: abs(rest[i]))
+            require(rest[pivot], "its loop is singular")
+            self.pivots.append(pivot)
+            self.rows.append(row)
+            left.append(rest)
+        self.inverse = inverse_of([[F(row[p]) for p in self.pivots] for row in self.rows])
+
+    @staticmethod
+    def of(hover, bounds):
+        """Of each axis a form of the place after a long time, when all but the slowest of its modes have died away, and two forms of the place after a shorter
+        time, from which that mode is taken away."""
+        powers, place = [hover.rows], hover.place_forms
+        for _ in range(HALVINGS):
+            powers.append(product(powers[-1], list(zip(*powers[-1]))))
+            late = product(place, list(zip(*powers[-1])))
+            if all(ONLY_SLOW * now <= then for now, then in zip(swings(late, bounds), swings(place, bounds))):
+                break
+        slowest = Slow(late, bounds)
+        quarter, sixteenth = (list(zip(*powers[max(len(powers) - k, 0)])) for k in (3, 5))
+        shares = [slowest.shares(row) for row in product(slowest.rows, quarter)]
+        soon = product(place, quarter)
+        shrunk = product(shares, list(zip(*soon)))
+        rest = [list(map(sub, a, b)) for a, b in zip(product(soon, quarter), shrunk)]
+        return Slow(map(scaled, (*late, *rest, *product(rest, sixteenth))), bounds)
+
+    def shares(self, row):
+        known = [row[p] for p in self.pivots]
+        return [fixed(sum(map(mul, known, column))) for column in zip(*self.inverse)]
+
+    def divided(self, row):
+        """The form as slopes by coordinates and by the slow forms: in them, what the slow forms cannot say."""
+        if not self.rows:
+            return row
+        shares = self.shares(row)
+        return [*(a - (sum(map(mul, shares, column)) >> BITS) for a, column in zip(row, zip(*self.rows))), *shares]
+
+
+def scaled(row):
+    most = max(map(abs, row))
+    require(most, "its loop is singular")
+    return [(a << BITS) // most for a in row]
+
+
+def inverse_of(matrix):
+    """Of fractions. Its leading minors are not 0."""
+    count = len(matrix)
+    rows = [[*row, *(F(i == k) for k in range(count))] for i, row in enumerate(matrix)]
+    for i, row in enumerate(rows):
+        rows[i] = [a / row[i] for a in row]
+        for k, other in enumerate(rows):
+            if k != i:
+                rows[k] = [a - other[i] * b for a, b in zip(other, rows[i])]
+    return [row[count:] for row in rows]
+
+
+# ---- A cell.
 
 class Hover:
-    """The proof for a cell."""
+    """The proof for a cell. Forms stand in this order: the coordinates of the state, slow forms, the acceleration, the place."""
 
     def __init__(self, claim, cell, yaw):
         self.claim, self.is_ball = claim, cell.is_ball
         self.loop = loop = LAWS[claim.controller](claim, cell, yaw)
-        self.off = [fixed_up(claim.start_error), fixed_up(claim.start_speed)]
+        self.off = [fixed_up(v) if v else 0 for v in (claim.start_error, claim.start_speed)]
         self.start = loop.start(*self.off)
         self.count, self.halves = loop.COUNT, loop.halves
-        self.place = slice(self.count, self.count + 3)
         self.after = loop.run([[0] * self.count])
-        self.commands = [m for command in loop.commands for m in command]
-        self.forms = [*self.coordinates(), *(([fixed(x) for x in row], [0] * HELD) for row in loop.place_rows())]
-        slopes = [loop.by_coordinates(m) for m in self.commands]
-        self.forms += [(row[:self.count], row[self.count:loop.gusts]) for row in slopes]
-        # What gusts of the period do to commands, and slopes by its named errors.
-        self.in_period = [(sum(map(size, threes(row[loop.gusts:loop.named]))), row[loop.named:]) for row in slopes]
+        slopes = [loop.by_coordinates(m) for m in self.after]
+        self.columns, self.rows = list(zip(*slopes)), [row[:self.count] for row in slopes]
+        self.place_forms = [[fixed(x) for x in row] for row in loop.place_rows()]
 
-    def coordinates(self):
-        """Those that have bounds: the acceleration in place of the gust."""
-        for i in range(self.count):
+    def accelerations(self):
+        """As forms of the state and of what is held."""
+        for i in range(3):
             row, held = [0] * self.count, [0] * HELD
-            if i < self.count - 3:
-                row[i] = ONE
-            else:
-                parts, wind = self.loop.balance(i - self.count + 3)
-                held[i - self.count + 3] = fixed(wind)
-                for k, factor in parts:
-                    row[k] = fixed(factor)
+            parts, wind = self.loop.balance(i)
+            held[i] = fixed(wind)
+            for k, factor in parts:
+                row[k] = fixed(factor)
             yield row, held
+
+    def bounded(self, forms):
+        """Of what forms come to the coordinates that have bounds: the acceleration in place of the gust."""
+        return [*forms[:self.count - 3], *forms[self.known:self.known + 3]]
 
     # What is linear.
 
     def sum_up(self):
-        sums = Sums(self.loop, self.after, self.start, self.forms)
-        self.begins, self.linear, self.places, self.boxes = [], [], [], {}
-        while True:
-            k = sums.count
-            if k <= PHASES[-1] or group_begins(k):
-                self.boxes[k] = sums.box_sums[:]
+        self.held = Held(self)
+        steady, self.steady_bounds = self.held.last_step()
+        self.fresh_columns = [*self.columns[self.loop.gusts:], *steady]
+        slow = self.slow = Slow.of(self, [m.radius[0] + 1 for m in self.after])
+        self.known, none = self.count + len(slow.rows), [0] * HELD
+        self.place = slice(self.known + 3, self.known + 6)
+        states = [[ONE if i == k else 0 for i in range(self.count)] for k in range(self.count)]
+        forms = [*((row, none) for row in (*states, *slow.rows)), *self.accelerations(), *((row, none) for row in self.place_forms)]
+        self.sums = sums = Sums(self, [row for row, _ in forms], [self.place.start, *range(self.count, self.known, 3)])
+        self.most_held = largest([self.held.most(self.held_at(k, forms)) for k in range(0, self.held.until, 5)])
+        while not self.has_died_away():
+            require(sums.count < LONGEST and max(sums.gusts[-1]) < LARGEST, "its loop hardly damps, or its gusts last too long")
+            sums.advance(sums.count <= self.loop.PHASES[-1] or group_begins(sums.count))
+        sums.end(slow)
+        self.last = -(-max(sums.count, self.held.until) // 20) * 20  # the last group is for all periods from here on
+        self.begins = [k for k in range(self.last + 1) if group_begins(k)]
+        begins = [p for p in self.loop.PHASES if p <= self.last]
+        self.phases = list(zip(begins, [*begins[1:], None]))
+        self.take_gusts()
+        self.drift = self.drifts(sums)
+        self.linear = self.in_groups(sums, forms)
+        self.take_places()
+
+    def has_died_away(self):
+        """Whether a power has, but for what is slow."""
+        if self.sums.count < ACTED or not group_begins(self.sums.count):
+            return False
+        most = list(map(add, self.sums.gusts_of(self.sums.count), self.most_held))
+        rest = [self.slow.divided(row)[:self.count] for row in self.sums.powers]
+        import os
+        D2=int(os.environ.get("D2","20"))
+        parts = [D2] * self.place.start + [DIED] * 3
+        return all(part * swing(row, most) <= max(now, ONE >> 60) for part, row, now in zip(parts, rest, most))
+
+    def for_ever(self, now, least):
+        """Bounds of the known forms, at least these, that hold in each period if they hold in those before: what is new there adds `now`."""
+        found = list(map(max, now, least))
+        for _ in range(LAPS):
+            then = list(map(max, least, map(add, now, swings(self.sums.tails[:self.known], found))))
+            if all(a <= b for a, b in zip(then, found)):
+                return found
+            found = [a + (a >> 20) + 4 for a in then]
+        raise Refused("its loop hardly damps, or its gusts last too long")
+
+    def take_gusts(self):
+        """What gusts do to each form at most, in each period and for ever; of the triples of forms how far they reach."""
+        sums, age, known = self.sums, self.sums.count, self.known
+        new = sums.gusts_of(age)
+        self.gusts = [sums.gusts_of(k) for k in range(age + 1)]
+        for k in range(age + 1, self.last + 1):
+            self.gusts.append(list(map(add, new, swings(sums.tails, self.gusts[k - age][:known]))))
+        self.ever = self.for_ever(new[:known], [0] * known)
+        self.gusts_for_ever = list(map(add, new, swings(sums.tails, self.ever)))
+        at_most = lambda k: [(r * sums.most >> BITS) + 2 for r in sums.reaches[k]]
+        self.balls = [at_most(k) for k in range(age + 1)]
+        for k in range(age + 1, self.last + 1):
+            self.balls.append(self.older_balls(at_most(age), self.balls[k - age], self.gusts[k - age]))
+        floor = last = largest(self.balls)
+        for _ in range(LAPS):
+            then = list(map(max, floor, self.older_balls(at_most(age), last, self.ever)))
+            if all(a <= b for a, b in zip(then, last)):
+                break
+            last = [a + (a >> 20) + 4 for a in then]
+        else:
+            raise Refused("its loop hardly damps, or its gusts last too long")
+        self.balls_for_ever = last
+
+    def older_balls(self, new, balls, bounds):
+        """With how far the slow forms reached, and bounds of the coordinates, before what is new."""
+        out = []
+        for k, reached in zip(self.sums.triples, new):
+            rows = [self.sums.tails[k + i] for i in range(3)]
+            slow = sum(reach([row[i:i + 3] for row in rows]) * ball for i, ball in zip(range(self.count, self.known, 3), balls[1:]))
+            out.append(reached + (slow >> BITS) + size(swings([row[:self.count] for row in rows], bounds)) + 2)
+        return out
+
+    def drifts(self, sums):
+        """How far what is held still carries each form after Held.until."""
+        now = [swing(row, self.steady_bounds) for row in sums.settled]
+        if sums is self.sums:
+            self.drift_for_ever = self.for_ever(now[:self.known], [0] * self.known)
+        return list(map(add, now, swings(sums.tails, self.drift_for_ever)))
+
+    def held_at(self, k, forms):
+        """What each symbol that is held does to forms: a row of each."""
+        direct = [[*(held[i] if i is not None else 0 for i in self.held.symbols), 0] for _, held in forms]
+        columns = self.held.at[min(k, self.held.until)]
+        return [list(map(add, a, b)) for a, b in zip(product([row for row, _ in forms], columns), direct)]
+
+    def in_groups(self, sums, forms):
+        """What is linear comes to, in each group at most."""
+        is_own, out, age = sums is self.sums, [], sums.count
+        new, drift = sums.gusts_of(age), self.drifts(sums)
+        held = None
+        for k in range(self.last + 1):
+            if k <= self.held.until:
+                held = self.held.most(self.held_at(k, forms))
+            elif k == self.held.until + 1:
+                held = list(map(add, held, drift))
+            if is_own:
+                gusts = self.gusts[k] if k < self.last else self.gusts_for_ever
+            elif k <= age:
+                gusts = sums.gusts_of(k)
+            else:
+                gusts = list(map(add, new, swings(sums.tails, self.gusts[k - age][:self.known] if k < self.last else self.ever)))
+            bounds = list(map(add, held, gusts))
             if group_begins(k):
-                self.begins.append(k)
-                self.linear.append([0] * len(self.forms))
-            self.take(sums)
-            if k >= ACTED and group_begins(k) and self.has_died_away(sums.powers):
-                break  # the last group is for all periods from here on
-            require(k < LONGEST and max(self.linear[-1]) < LARGEST, "its loop hardly damps, or its gusts last too long")
-            sums.advance()
-        self.powers = sums.powers
-        begins = [p for p in PHASES if p <= k]
-        self.phases, self.summed = list(zip(begins, [*begins[1:], None])), sorted(self.boxes)
+                out.append(bounds)
+            else:
+                out[-1] = list(map(max, out[-1], bounds))
+        if self.last <= self.held.until:
+            out[-1] = list(map(add, out[-1], drift))
+        return out
 
-    def take(self, sums):
-        """Notes what the held symbols, the start and gusts do to each form and to the place. Of the place it notes a distance, of the middle and all
-        balls, and what intervals do along each axis."""
-        most, halves, from_axis = self.loop.gust_most, self.halves, 3 if self.is_ball else 0
-        bounds, responses = self.linear[-1], sums.responses_of_forms()
-        for i, (r, gusts) in enumerate(zip(responses, sums.gust_sums)):
-            held = swing(r[from_axis:HELD], halves[from_axis:]) + (size(r[:3]) * halves[0] >> BITS if self.is_ball else 0)
-            off = swing(map(size, threes(r[HELD:-1])), self.off)
-            bounds[i] = max(bounds[i], abs(r[-1]) + held + off + (gusts * most >> BITS) + 2)
-        rows = responses[self.place]
-        middle = size([fixed(p) + r[-1] for p, r in zip(self.loop.place(), rows)])
-        balls = sums.gust_reach * most + sum(reach([r[k:k + 3] for r in rows]) * b for k, b in zip((HELD, HELD + 3), self.off))
-        if self.is_ball:
-            balls += reach([r[:3] for r in rows]) * halves[0]
-        self.places.append((middle + (balls >> BITS) + 2, [swing(r[from_axis:HELD], halves[from_axis:]) for r in rows]))
-
-    def has_died_away(self, powers):
-        most = self.left([max(column) for column in zip(*self.linear)])
-        return all(DIED * swing(row, most) <= max(now, ONE >> 60) for row, now in zip(powers[:self.place.stop], self.linear[-1]))
-
-    def left(self, bounds):
-        """Bounds of what came before the sums: a deviation less what is held. Both are within the coordinate's bound, so it is at most twice that."""
-        return [*(2 * b for b in bounds[:self.count - 3]), *[self.loop.gust_most] * 3]
+    def take_places(self):
+        """Of the place in each period a distance, of the middle and all balls, and what intervals do along each axis."""
+        forms, self.places = [(row, [0] * HELD) for row in self.place_forms], []
+        for k in range(self.last + 1):
+            if k <= self.held.until:
+                rows = self.held_at(k, forms)
+                middle = size([fixed(p) + r[-1] for p, r in zip(self.loop.place(), rows)])
+                balls = sum(reach([r[i:i + 3] for r in rows]) * b for i, b in self.held.balls)
+                along = [(sum(abs(r[i]) * b for i, b in self.held.singles) >> BITS) + 2 for r in rows]
+            if k == min(self.last, self.held.until + 1):
+                along = list(map(add, along, self.drift[self.place]))
+            gusts = self.balls[k] if k < self.last else self.balls_for_ever
+            self.places.append((middle + (balls >> BITS) + gusts[0] + 4, along))
 
     # What is not.
 
-    def remainders(self, fresh, bounds, forms):
+    def remainders(self, sums, fresh, count):
         """Of each group what remainders do to the first forms; `fresh` has those of a period in each phase."""
-        most = self.left([max(column) for column in zip(*bounds)])
         at_start = [m.r[0] for m in self.start] + [0] * (len(fresh[0]) - self.count)
+        age, known = sums.count, []
         for begin, end in zip(self.begins, [*self.begins[1:], None]):
-            terms = [*self.ages(begin, end, fresh), *([(end, begin, at_start)] if end else [])]
-            rows = [self.lost] * forms
+            terms = [*self.ages(begin, end, fresh), *([(end, begin, at_start)] if begin < age else [])]
+            rows = [self.lost] * count
             for oldest, newest, box in terms:
-                rows = [x + swing(one, box) for x, one in zip(rows, self.box_sum(oldest, newest))]
-            yield rows if end else [x + swing(row, most) for x, row in zip(rows, self.powers)]
+                rows = [x + swing(one, box) for x, one in zip(rows, sums.between(newest, oldest))]
+            if begin >= age:
+                if sums is self.sums:
+                    older = largest([known[g] for g in self.groups_between(begin - age, end and end - 1 - age) if g < len(known)])
+                    if end is None:
+                        older = self.for_ever(rows[:self.known], older)
+                else:
+                    older = largest([self.rest[g][:self.known] for g in self.groups_between(begin - age, end and end - 1 - age)])
+                rows = [x + swing(tail, older) for x, tail in zip(rows, sums.tails)]
+            known.append(rows[:self.known])
+            yield rows
+
+    def groups_between(self, first, last):
+        """Those that have a period from the first to the last one (none: for ever)."""
+        begin = bisect.bisect_right(self.begins, first) - 1
+        return range(begin, len(self.begins) if last is None else bisect.bisect_right(self.begins, last))
 
     def ages(self, begin, end, fresh):
         """For a group: how many periods ago remainders may have been new (`newest` or more, fewer than `oldest`), and the largest there were then."""
+        top = min(self.sums.count, end - 1 if end else begin)
         cuts = {begin - first for first, _ in self.phases} | {end - 1 - first for first, _ in self.phases if end}
-        cuts = sorted(c for c in cuts | {0} if 0 <= c <= (end - 1 if end else begin))
+        cuts = sorted(c for c in cuts | {0, top} if 0 <= c <= top)
         for newest, oldest in zip(cuts, cuts[1:]):
             boxes = [box for (first, last), box in zip(self.phases, fresh)
                      if (end is None or first <= end - 2 - newest) and (last is None or last > begin - oldest)]
-            yield oldest, newest, [max(column) for column in zip(*boxes)]
-
-    def box_sum(self, oldest, newest):
-        above, below = bisect.bisect_left(self.summed, oldest), bisect.bisect_right(self.summed, newest) - 1
-        return [map(sub, a, b) for a, b in zip(self.boxes[self.summed[above]], self.boxes[self.summed[below]])]
+            yield oldest, newest, largest(boxes)
 
     def by_phase(self, groups):
         at = [self.begins.index(first) for first, _ in self.phases]
         return [groups[a:b] for a, b in zip(at, [*at[1:], None])]
 
+    def totals(self, linear, rest):
+        """Of each phase what forms come to."""
+        return [largest(rows) for rows in self.by_phase([list(map(add, a, b)) for a, b in zip(linear, rest)])]
+
     def round(self, bounds, forms):
-        """Of each phase what the first forms come to, if the coordinates are within these bounds in all periods before."""
+        """The same for the first forms, if the coordinates are within these bounds in all periods before."""
         loop = self.loop
         after = loop.run(bounds)
-        self.lost = 4 * (len(self.places) + 4) * max(loop.of.slack)  # by rounding sums, powers and forms
-        fresh = []
-        for k, named in enumerate(loop.of.bounds):
+        self.lost = 4 * (self.last + 5) * max(loop.of.slack)  # by rounding sums, powers and forms
+        self.fresh, slack = [], self.slacks()
+        for k in range(len(bounds)):
             rounding = 4 * loop.of.slack[k] + (3 * sum(self.off) >> BITS) + 8
-            slack = [SPIN_SLACK if i in loop.SPINS else SLACK for i in range(self.count)]
-            fresh.append([m.r[k] + abs(m.c - c) + s + rounding for m, c, s in zip(after, loop.middle, slack)] + named[loop.named:])
-        self.rest = list(self.remainders(fresh, bounds, forms))
-        return [[max(column) for column in zip(*rows)] for rows in self.by_phase([list(map(add, a, b)) for a, b in zip(self.linear, self.rest)])]
+            self.fresh.append([m.r[k] + abs(m.c - c) + s + rounding for m, c, s in zip(after, loop.middle, slack)] + loop.named_bounds(k))
+        self.rest = list(self.remainders(self.sums, self.fresh, forms))
+        return self.totals(self.linear, self.rest)
+
+    def slacks(self):
+        """By how much the simulator may differ from the equations in a period."""
+        runs = self.loop.span // self.claim.period
+        return [fixed_up(runs * (SPIN_SLACK if i in self.loop.SPINS else SLACK)) for i in range(self.count)]
 
     def find_bounds(self):
         """Bounds of the coordinates in each phase that hold in a period if they hold in all before."""
-        before = found = [[max(column) for column in zip(*rows)][:self.count] for rows in self.by_phase(self.linear)]
+        forms = self.known + 3
+        step = lambda bounds: list(map(self.bounded, self.round(bounds, forms)))
+        before = found = list(map(self.bounded, map(largest, self.by_phase(self.linear))))
         for _ in range(ROUNDS):
             bounds = [[b + b // 50 + max(b - a, 0) // 2 for a, b in zip(*rows)] for rows in zip(before, found)]
-            before, found = bounds, self.round(bounds, self.count)
+            before, found = bounds, step(bounds)
             if self.hold(found, bounds):
                 break
         else:
             raise Refused("no bounds of its deviations hold")
         while any(100 * f < 99 * b for rows in zip(found, bounds) for f, b in zip(*rows)):
-            bounds, found = found, self.round(found, self.count)
+            bounds, found = found, step(found)
         return found
 
     def hold(self, found, bounds):
@@ -245,48 +502,76 @@ class Hover:
         self.sum_up()
         try:
             bounds = self.find_bounds()
-            found = self.round(bounds, len(self.forms))
+            found = self.round(bounds, self.place.stop)
         except SidewaysError:
             raise Refused("no bounds of its deviations hold: a thrust or lift may point sideways") from None
-        require(self.hold(found, bounds), "bounds of its deviations are lost by rounding")
-        self.require_motors(found)
+        require(self.hold(list(map(self.bounded, found)), bounds), "bounds of its deviations are lost by rounding")
+        self.require_limits()
         self.require_tilt()
         return max(self.radii())
 
-    def require_motors(self, found):
-        """Of each phase and command."""
-        least, most = (fixed(F(m)) for m in (self.claim.motor_least, self.claim.motor_most))
-        commands = [m for command in self.loop.commands for m in command]
-        for k, ((begin, _), rows) in enumerate(zip(self.phases, found)):
-            errors = self.loop.of.bounds[k][self.loop.named:]
-            for i, (m, row, (gusts, named)) in enumerate(zip(commands, rows[self.place.stop:], self.in_period)):
-                half = row + (gusts * self.loop.gust_most >> BITS) + swing(named, errors) + m.r[k] + SLACK + self.lost
-                room = min(most - m.c, m.c - least) - half
-                require(room > 0, f"motor {i % 4 + 1} may leave its range after {self.seconds(begin):.3f} s, by {-room / ONE:.4g}")
+    def require_limits(self):
+        """Of each phase. Bounds of the coordinates mostly suffice; where they do not, the sums say more."""
+        limits = self.loop.limits()
+        open_ = [limit for limit in limits if any(self.room(limit, k, self.by_bounds) <= 0 for k in range(len(self.phases)))]
+        models = list({id(m): m for _, group, _ in open_ for m in group}.values())
+        if not models:
+            return
+        found = self.by_sums(models)
+        for limit in open_:
+            for k, (begin, _) in enumerate(self.phases):
+                room = self.room(limit, k, lambda m, k: found[id(m)][k])
+                require(room > 0, f"{limit[0]} after {self.seconds(begin):.3f} s, by {-room / ONE:.4g}")
+
+    def room(self, limit, k, half):
+        _, models, room = limit
+        more = fixed_up(self.loop.span * SPIN_SLACK) + self.lost
+        halves = [half(m, k) + more for m in models]
+        return room([m.c - h for m, h in zip(models, halves)], [m.c + h for m, h in zip(models, halves)])
+
+    def by_bounds(self, model, k):
+        return model.radius[k]
+
+    def by_sums(self, models):
+        """How far from its middle each may be in each phase."""
+        loop, count = self.loop, self.count
+        slopes = [loop.by_coordinates(m) for m in models]
+        forms = [(row[:count], row[count:loop.gusts]) for row in slopes]
+        sums = Sums(self, [row for row, _ in forms])
+        while sums.count < self.sums.count:
+            sums.advance(sums.count in self.sums.boxes)
+        sums.end(self.slow)
+        linear = self.in_groups(sums, forms)
+        found = self.totals(linear, list(self.remainders(sums, self.fresh, len(forms))))
+        out = {}
+        for i, (m, row) in enumerate(zip(models, slopes)):
+            gusts = sum(map(size, threes(row[loop.gusts:loop.named]))) * loop.gust_most >> BITS
+            out[id(m)] = [rows[i] + gusts + swing(row[loop.named:], loop.named_bounds(k)) + m.r[k] + 1 for k, rows in enumerate(found)]
+        return out
 
     def seconds(self, period):
-        return (period * self.claim.period - self.claim.before) / 1000
+        return (period * self.loop.span - self.claim.before) / 1000
 
     def flies(self, end):
         """Whether the trajectory has begun when this period (none: for ever) begins."""
         return end is None or self.seconds(end) > 0
 
     def require_tilt(self):
-        claimed = cos_of(fixed(F(self.claim.tilt))) + FAULT
+        claimed, slack = cos_of(fixed(F(self.claim.tilt))) + FAULT, self.slacks()[0]
         for k, (begin, end) in enumerate(self.phases):
-            least = min(m.least()[k] for m in self.loop.upright) - SLACK
+            least = min(m.least()[k] for m in self.loop.upright) - slack
             if self.flies(end):
                 require(least > claimed, f"after {self.seconds(begin):.3f} s it may tilt by {math.acos(max(least, 0) / ONE):.6g}, claimed {self.claim.tilt:.6g}")
 
     def radii(self):
         """Of each period in which the trajectory has begun, and of all that follow."""
-        group, phase = -1, -1
+        group, phase, slack = -1, -1, self.slacks()[0]
+        away = [[size([max(abs(m[i].c) + m[i].radius[k] for m in self.loop.away_in_period()) for i in range(3)])] for k in range(len(self.phases))]
         for k, (distance, along) in enumerate(self.places):
             group += k in self.begins
             phase += k == self.phases[phase][1] if k else 1
-            if self.flies(k + 1 if k + 1 < len(self.places) else None):
-                further = size([max(abs(m[i].c) + m[i].radius[phase] for m in self.loop.moved) for i in range(3)])
-                yield distance + size(map(add, along, self.rest[group][self.place])) + further + SLACK + self.lost
+            if self.flies(k + 1 if k < self.last else None):
+                yield distance + size(map(add, along, self.rest[group][self.place])) + away[phase][0] + slack + self.lost
 
 
 # ---- A certificate.
