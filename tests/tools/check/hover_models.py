@@ -38,6 +38,8 @@ class Symbols:
 
     def add(self, bounds):
         """A symbol with these bounds, one in each set."""
+        if self.count == MOST_SYMBOLS:
+            raise ArithmeticError("too many symbols")
         for k, b in enumerate(bounds):
             self.bounds[k].append(b)
             self.slack[k] += (b >> BITS) + 1
@@ -60,7 +62,7 @@ class Symbols:
 LANE = 192  # bits of each
 LOWEST = (1 << LANE) - 1
 COARSE = 48  # bits that bounds have less here
-SLOPES, BOUNDS = 1 << BITS + 20, 1 << BITS + 16  # the largest that a lane has room for, with 2^11 symbols
+SLOPES, BOUNDS, MOST_SYMBOLS = 1 << BITS + 20, 1 << BITS + 16, 1 << 11  # a lane has room for products of these
 
 
 def lanes_of(bounds):

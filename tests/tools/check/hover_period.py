@@ -111,6 +111,8 @@ def turned_heading(heading, x, d):
 class Loop:
     """The closed loop about its equilibrium in a cell. A controller adds its own coordinates and what it commands."""
 
+    IS_SLOW = False  # whether some deviations die away far more slowly than most
+
     def __init__(self, claim, cell, yaw):
         self.claim = claim
         f = lambda values: [F(v) for v in values]
@@ -360,6 +362,7 @@ class Cascade(Loop):
     COUNT = 34
     SPINS = range(13, 22)
     PHASES = (0, 1, 2, 4, 8, 16, 40, 100, 300)
+    IS_SLOW = True
 
     def __init__(self, claim, cell, yaw):
         f = lambda values: [F(v) for v in values]

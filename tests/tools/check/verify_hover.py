@@ -208,8 +208,8 @@ class Slow:
 
     @staticmethod
     def of(hover, bounds):
-        """Of each axis a form of the place after a long time, when all but the slowest of its modes have died away, and two forms of the place after a shorter
-        time, from which that mode is taken away."""
+        """Of each axis two forms of the place: after a long time, when all but its slowest mode have died away, and after a shorter time, from which that mode
+        is taken away."""
         powers, place = [hover.rows], hover.place_forms
         for _ in range(HALVINGS):
             powers.append(product(powers[-1], list(zip(*powers[-1]))))
@@ -217,12 +217,12 @@ class Slow:
             if all(ONLY_SLOW * now <= then for now, then in zip(swings(late, bounds), swings(place, bounds))):
                 break
         slowest = Slow(late, bounds)
-        quarter, sixteenth = (list(zip(*powers[max(len(powers) - k, 0)])) for k in (3, 5))
+        quarter = list(zip(*powers[max(len(powers) - 3, 0)]))
         shares = [slowest.shares(row) for row in product(slowest.rows, quarter)]
         soon = product(place, quarter)
         shrunk = product(shares, list(zip(*soon)))
         rest = [list(map(sub, a, b)) for a, b in zip(product(soon, quarter), shrunk)]
-        return Slow(map(scaled, (*late, *rest, *product(rest, sixteenth))), bounds)
+        return Slow(map(scaled, (*late, *rest)), bounds)
 
     def shares(self, row):
         known = [row[p] for p in self.pivots]
@@ -290,7 +290,7 @@ class Hover:
         self.held = Held(self)
         steady, self.steady_bounds = self.held.last_step()
         self.fresh_columns = [*self.columns[self.loop.gusts:], *steady]
-        slow = self.slow = Slow.of(self, [m.radius[0] + 1 for m in self.after])
+        slow = self.slow = Slow.of(self, [m.radius[0] + 1 for m in self.after]) if self.loop.IS_SLOW else Slow()
         self.known, none = self.count + len(slow.rows), [0] * HELD
         self.place = slice(self.known + 3, self.known + 6)
         states = [[ONE if i == k else 0 for i in range(self.count)] for k in range(self.count)]
@@ -311,15 +311,16 @@ class Hover:
         self.take_places()
 
     def has_died_away(self):
-        """Whether a power has, but for what is slow."""
-        if self.sums.count < ACTED or not group_begins(self.sums.count):
+        """Whether a power has, but for what is slow: it makes little of what gusts do, and of what remainders do. How much is no claim."""
+        sums = self.sums
+        if sums.count < ACTED or not group_begins(sums.count):
             return False
-        most = list(map(add, self.sums.gusts_of(self.sums.count), self.most_held))
-        rest = [self.slow.divided(row)[:self.count] for row in self.sums.powers]
-        import os
-        D2=int(os.environ.get("D2","20"))
-        parts = [D2] * self.place.start + [DIED] * 3
-        return all(part * swing(row, most) <= max(now, ONE >> 60) for part, row, now in zip(parts, rest, most))
+        linear = list(map(add, sums.gusts_of(sums.count), self.most_held))
+        if sums.count == ACTED:
+            self.usual = self.new_in_period([self.bounded(linear)])[0]
+        rest = [self.slow.divided(row)[:self.count] for row in sums.powers]
+        others = [swing(box, self.usual) for box in sums.box]
+        return all(DIED * swing(row, most) <= max(now, ONE >> 60) for most in (linear, others) for row, now in zip(rest, most))
 
     def for_ever(self, now, least):
         """Bounds of the known forms, at least these, that hold in each period if they hold in those before: what is new there adds `now`."""
@@ -462,15 +463,19 @@ class Hover:
 
     def round(self, bounds, forms):
         """The same for the first forms, if the coordinates are within these bounds in all periods before."""
-        loop = self.loop
-        after = loop.run(bounds)
-        self.lost = 4 * (self.last + 5) * max(loop.of.slack)  # by rounding sums, powers and forms
-        self.fresh, slack = [], self.slacks()
-        for k in range(len(bounds)):
-            rounding = 4 * loop.of.slack[k] + (3 * sum(self.off) >> BITS) + 8
-            self.fresh.append([m.r[k] + abs(m.c - c) + s + rounding for m, c, s in zip(after, loop.middle, slack)] + loop.named_bounds(k))
+        self.fresh = self.new_in_period(bounds)
+        self.lost = 4 * (self.last + 5) * max(self.loop.of.slack)  # by rounding sums, powers and forms
         self.rest = list(self.remainders(self.sums, self.fresh, forms))
         return self.totals(self.linear, self.rest)
+
+    def new_in_period(self, bounds):
+        """Of each set of bounds the remainders and named errors of a period."""
+        loop, slack = self.loop, self.slacks()
+        after, out = loop.run(bounds), []
+        for k in range(len(bounds)):
+            rounding = 4 * loop.of.slack[k] + (3 * sum(self.off) >> BITS) + 8
+            out.append([m.r[k] + abs(m.c - c) + s + rounding for m, c, s in zip(after, loop.middle, slack)] + loop.named_bounds(k))
+        return out
 
     def slacks(self):
         """By how much the simulator may differ from the equations in a period."""
@@ -565,13 +570,14 @@ class Hover:
 
     def radii(self):
         """Of each period in which the trajectory has begun, and of all that follow."""
-        group, phase, slack = -1, -1, self.slacks()[0]
-        away = [[size([max(abs(m[i].c) + m[i].radius[k] for m in self.loop.away_in_period()) for i in range(3)])] for k in range(len(self.phases))]
+        moves, group, phase, slack = self.loop.away_in_period(), -1, -1, self.slacks()[0]
+        away = [size([max(abs(m[i].c) + m[i].radius[k] for m in moves) for i in range(3)]) for k in range(len(self.phases))]
         for k, (distance, along) in enumerate(self.places):
             group += k in self.begins
             phase += k == self.phases[phase][1] if k else 1
             if self.flies(k + 1 if k < self.last else None):
-                yield distance + size(map(add, along, self.rest[group][self.place])) + away[phase][0] + slack + self.lost
+                further = max(away[max(phase - 1, 0):phase + 1])  # of the period that ends here, too
+                yield distance + size(map(add, along, self.rest[group][self.place])) + further + slack + self.lost
 
 
 # ---- A certificate.
