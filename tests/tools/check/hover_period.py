@@ -147,7 +147,7 @@ class Loop:
             for i, a in enumerate(self.gust):
                 away = a - self.away(i, self.lift[i])
                 self.gust[i] = away.times(1 / self.drag_rate) + self.away(3 + i, self.velocity[i]) - self.wind_away(i)
-        self.commands, self.moved, self.upright = [], [], []
+        self.commands, self.moved, self.axes = [], [], []  # axes: the body's z axis after each millisecond
 
     def level(self, off, speed):
         """The vehicle before the controller first runs: how far off it is, how it moves, and what its thrust lacks of the believed weight."""
@@ -231,7 +231,7 @@ class Loop:
         self.gust_symbols += new
         self.gust = [g.times(share) + self.of.symbol(i).times(1 - share).wider(fault) for g, i in zip(self.gust, new)]
         self.moved.append(out[:3])
-        self.upright.append(self.wanted.outside(self.body(out[6:-10], out[-10]).z)[2])
+        self.axes.append(self.wanted.outside(self.body(out[6:-10], out[-10]).z))
         return out
 
     def motors(self, thrust):
@@ -361,7 +361,7 @@ class Cascade(Loop):
 
     COUNT = 34
     SPINS = range(13, 22)
-    PHASES = (0, 1, 2, 4, 8, 16, 40, 100, 300)
+    PHASES = (0, 1, 2, 4, 8, 16, 25, 40, 60, 100, 140, 200, 300, 500)
     IS_SLOW = True
 
     def __init__(self, claim, cell, yaw):

@@ -15,14 +15,15 @@ import tempfile
 import numpy as np
 
 from hover_models import ONE, fixed
-from hover_period import F, Geometric
+from hover_period import F
 from tool_runs import read, tool, write
-from tube_claim import STEP, Cell, Claim
-from tube_flight import fly, track_of
+import tube_cascade
+from tube_claim import STEP, Cell, Claim, cells_of, segments_of
+from tube_flight import GRAVITY, fly, track_of
 from tube_flown import flown
 from tube_mutants import Mutants
 from verify_certificate import Refused, strict_json
-from verify_hover import verify
+from verify_hover import LAWS, Hover, resting_yaw, verify
 
 MUTANTS = int(sys.argv[2]) if len(sys.argv) > 2 else 2
 SEED = int(sys.argv[3]) if len(sys.argv) > 3 else 1
@@ -35,9 +36,9 @@ def hover(name, yaw=None, seconds=0.4, frame="enu"):
     return {"type": "trajectory", "id": name, "status": "solved", "frame": frame, "segments": [segment, dict(segment)]}
 
 
-def certified(record, *options, before="2.5"):
+def certified(record, *options, before="2.5", controller="geometric"):
     write("t.jsonl", [record])
-    tool("skyway-fly", "t.jsonl", "--controller", "geometric", "--proved-tube", "--certificate", "c.jsonl", "--threads", "1", "-o", "f.csv", "-q",
+    tool("skyway-fly", "t.jsonl", "--controller", controller, "--proved-tube", "--certificate", "c.jsonl", "--threads", "1", "-o", "f.csv", "-q",
          "--report-file", "r.jsonl", "--gust-lag", "0.1", "--hover-time", before, "--settle", "0.05", *options)
     return record, read("c.jsonl")[0]
 
@@ -93,17 +94,44 @@ def require_refused(record, certificate):
         assert reason(other, certificate) == "the trajectory does not rest"
 
 
+BOUNDS = {"geometric": [0.3] * 3 + [0.1] * 3 + [0.1] * 3 + [0.02] + [0.2, 0.2, 0.05] + [2, 2, 0.2] + [2, 2, 0.2] + [0.003] * 3 + [0.05] * 3,
+          "cascade": [0.2] * 3 + [0.1] * 3 + [0.01, 0.01, 0.03, 0.01] + [0.05, 0.05, 0.02] + [0.5, 0.5, 0.1] * 2 + [0.1, 0.1, 0.03] + [0.1] * 3 + [0.2] * 3
+          + [0.02] * 3 + [0.1] * 3}
+
+
+def asked_of(loop, j):
+    """What the cascade's loops ask for in a millisecond, with a name: models."""
+    claim, out = loop.claim, {}
+    speed, accelerations, lift = loop.runs[j // claim.position_period]
+    out["speed"], out["before"], out["acceleration"], out["lift"] = speed, accelerations[:3], accelerations[3:], lift
+    out["rates"], (out["spin before"], out["spin"]) = loop.turns[j // claim.period], (loop.spins[6 * j:6 * j + 3], loop.spins[6 * j + 3:6 * j + 6])
+    return out
+
+
+def asked(claim, controller, s, j, before):
+    """The same of a controller. What the position loop asks for stays as it was when it last ran."""
+    if j % claim.position_period == 0:
+        pushed = [STEP * claim.position_period * i * e for i, e in zip(claim.velocity.i, controller.missed)]
+        acceleration = [*controller.lift[:2], controller.lift[2] - GRAVITY]
+        before = {"speed": [e + v for e, v in zip(controller.missed, s[3:6])], "acceleration": acceleration, "lift": list(controller.lift),
+                  "before": [a - p for a, p in zip(acceleration, pushed)]}
+    k, error = claim.rates, [a - b for a, b in zip(controller.rates, controller.last_rates)]
+    spin = [p * e + i - d * f for p, e, i, d, f in zip(k.p, error, controller.integral, k.d, controller.filtered)]
+    return {**before, "rates": list(controller.rates), "spin": spin, "spin before": [a - STEP * i * e for a, i, e in zip(spin, k.i, error)]}
+
+
 def require_period(record, certificate, count):
     """What a quadrotor does in a period, from anywhere within bounds of its coordinates, is within the model's remainders."""
     claim, chance = Claim(certificate), np.random.default_rng(SEED)
     track, cell = track_of(record, certificate["frame"]), Cell(claim)
-    references = track.at(0, claim.period)
-    loop, rows = Geometric(claim, cell, float(references[4][0])), claim.law.ROWS
-    bounds = np.array([0.3] * 3 + [0.1] * 3 + [0.1] * 3 + [0.02] + [0.2, 0.2, 0.05] + [2, 2, 0.2] + [2, 2, 0.2] + [0.003] * 3 + [0.05] * 3)
+    loop = LAWS[claim.controller](claim, cell, float(track.at(0, 0)[4][0]))
+    references, rows = track.at(0, loop.span), claim.law.ROWS
+    bounds = np.array(BOUNDS[claim.controller])
     after = loop.run([[fixed(F(b)) for b in bounds]])
     real = lambda values: np.array([v / ONE for v in values])
-    middle, held, halves, named = real(loop.middle), real(loop.held), real(loop.halves), real(loop.of.bounds[0][loop.named:])
-    used = 0
+    middle, held, halves, named = real(loop.middle), real(loop.held), real(loop.halves), real(loop.named_bounds(0))
+    gusts, names, at_start = np.array(loop.gust_symbols), np.array(loop.named_symbols), rows.gust + 3 + len(halves)
+    used = collections.Counter()
     for _ in range(count):
         off = bounds * chance.choice([-1, 1, 0.5, 0], len(bounds))
         held_off = halves * chance.choice([-1, 1, 0], len(halves))
@@ -112,25 +140,35 @@ def require_period(record, certificate, count):
         seed = int(chance.integers(1 << 30))
         towards = np.random.default_rng(seed).normal(size=3)
         towards *= claim.gust_most / np.linalg.norm(towards)
-        then, commands, moved, upright = flown(claim, np.random.default_rng(seed), e, gust, references, 0)
-        symbols = np.array([*off, *held_off, *np.tile(towards, claim.period)])
+        seen = []
+        watch = lambda j, controller, s: seen.append(asked(claim, controller, s, j, seen[-1] if seen else None))
+        then, commands, moved, upright = flown(claim, np.random.default_rng(seed), e, gust, references, 0, loop.span,
+                                               watch if claim.controller == "cascade" else None)
+        symbols = np.zeros(loop.of.count)
+        symbols[:at_start], symbols[gusts] = [*off, *held_off], np.tile(towards, loop.span)
 
-        def require_within(model, value, what):
-            slopes = real(model.l)
-            room = np.abs(slopes[loop.named:]) @ named + model.r[0] / ONE
-            away = abs(value - model.c / ONE - slopes[:loop.named] @ symbols)
-            assert away <= room + 1e-9, (what, away, room)
-            return away / (room + 1e-9)
+        def require_within(model, value, what, i=0):
+            slopes = np.zeros(loop.of.count)
+            slopes[:len(model.l)] = real(model.l)
+            room = np.abs(slopes[names]) @ named + model.r[0] / ONE
+            away = abs(value - model.c / ONE - slopes @ symbols)
+            assert away <= room + 1e-9, (what, i, away, room)
+            used[what] = max(used[what], away / (room + 1e-9))
 
-        used = max(used, *(require_within(after[i], then[i], f"coordinate {i}") for i in range(rows.gust)))
-        for j in range(claim.period):
+        for i in range(rows.gust):
+            require_within(after[i], then[i], "coordinate", i)
+        for j in range(loop.span):
             for m in range(4):
-                require_within(loop.commands[j][m], commands[j][m], f"motor {m + 1}")
+                require_within(loop.commands[j][m], commands[j][m], "motor", m + 1)
             for i in range(3):
-                require_within(loop.moved[j][i], moved[j][i], f"moved {i}")
-            require_within(loop.upright[j], upright[j], "tilt")
-    assert 0.3 < used, used
-    print(f"{record['id']}: {count} periods from anywhere within bounds: at most {used:.2f} of a remainder was used")
+                require_within(loop.moved[j][i], moved[j][i], "moved", i)
+            require_within(loop.axes[j][2], upright[j], "tilt")
+            for what, models in asked_of(loop, j).items() if seen else ():
+                for i, m in enumerate(models):
+                    require_within(m, seen[j][what][i], what, i)
+    assert 0.3 < used["coordinate"], used
+    shares = ", ".join(f"{what} {share:.2f}" for what, share in used.items())
+    print(f"{record['id']}: {count} periods from anywhere within bounds; at most so much of a remainder was used: {shares}", flush=True)
 
 
 def require_flights_within(record, certificate, flights, seconds):

@@ -66,8 +66,9 @@ def own_state(claim, gains, e, reference, asked):
     return [*place, *e[3:6], *quaternion(body), *e[rows.rates:rows.rates + 3], *thrusts], quadrotor, controller
 
 
-def flown(claim, chance, e, gust, references, k):
-    """The state a period later, and on the way: commands, places moved and cosines of tilt."""
+def flown(claim, chance, e, gust, references, k, count=None, watch=None):
+    """The state a period later, or so many milliseconds, and on the way: commands, places moved and cosines of tilt. `watch` is told of the controller."""
+    count = count or claim.period
     first = k * claim.period
     reference = lambda n: [r[n].tolist() if r.ndim == 2 else float(r[n]) for r in references]
     every = claim.position_period if claim.law is tube_cascade else claim.period
@@ -77,12 +78,14 @@ def flown(claim, chance, e, gust, references, k):
     towards *= claim.gust_most / np.linalg.norm(towards)
     any_three = lambda most: (most * chance.choice([-1, 1], 3) * chance.choice([1, 1, 0.3], 3)).tolist()
     commands, moved, upright = [], [], []
-    for j in range(claim.period):
+    for j in range(count):
         off = [any_three(most) for most in (claim.place_noise, claim.velocity_noise, claim.attitude_noise, claim.rate_noise)] if claim.is_noisy else None
         kept = claim.gust_kept(j)
         quadrotor.wind = [wind[i] + kept * gust[i] + (1 - kept) * towards[i] for i in range(3)]
         commands.append(command(controller, first + j, s, reference(first + j), off))
+        if watch:
+            watch(j, controller, s)
         s = quadrotor.stepped(s, commands[-1])
         moved.append([a - b for a, b in zip(s[:3], start)])
         upright.append(body_axes(s[6:10])[2][2])
-    return controller.coordinates(s, quadrotor, reference(first + claim.period)), commands, moved, upright
+    return controller.coordinates(s, quadrotor, reference(first + count)), commands, moved, upright

@@ -562,11 +562,21 @@ class Hover:
         return end is None or self.seconds(end) > 0
 
     def require_tilt(self):
+        """Of each phase in which the trajectory flies, by bounds of the coordinates, or where they do not suffice by the sums."""
         claimed, slack = cos_of(fixed(F(self.claim.tilt))) + FAULT, self.slacks()[0]
-        for k, (begin, end) in enumerate(self.phases):
-            least = min(m.least()[k] for m in self.loop.upright) - slack
-            if self.flies(end):
-                require(least > claimed, f"after {self.seconds(begin):.3f} s it may tilt by {math.acos(max(least, 0) / ONE):.6g}, claimed {self.claim.tilt:.6g}")
+        phases = [k for k, (_, end) in enumerate(self.phases) if self.flies(end)]
+        is_open = lambda axis, k: axis[2].least()[k] - slack <= claimed
+        axes = [axis for axis in self.loop.axes if any(is_open(axis, k) for k in phases)]
+        if not axes:
+            return
+        halves = self.by_sums([m for axis in axes for m in axis[:2]])
+        for axis in axes:
+            for k in phases:
+                least = axis[2].least()[k] - slack
+                if 0 < least <= claimed:
+                    x, y = (abs(m.c) + halves[id(m)][k] + slack + self.lost for m in axis[:2])
+                    least = max(least, isqrt(max(ONE * ONE - x * x - y * y, 0)))
+                require(least > claimed, f"after {self.seconds(self.phases[k][0]):.3f} s it may tilt by {math.acos(max(least, 0) / ONE):.6g}, claimed {self.claim.tilt:.6g}")
 
     def radii(self):
         """Of each period in which the trajectory has begun, and of all that follow."""
