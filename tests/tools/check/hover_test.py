@@ -5,6 +5,7 @@ It changes certificates, too, 2 if no number is given. A changed one is refused,
 
 import collections
 import json
+import math
 import os
 import random
 import re
@@ -194,6 +195,77 @@ def require_flights_within(record, certificate, flights, seconds):
     return most
 
 
+class Watched(tube_cascade.Controller):
+    """Notes the most that each loop has asked for in any flight."""
+
+    most = collections.Counter()
+
+    def command(self, n, s, reference):
+        out = super().command(n, s, reference)
+        found = asked(self.claim, self, s, n, getattr(self, "seen", None))
+        self.seen = found
+        for what in ("rates", "speed", "acceleration", "spin"):
+            self.most[what] = max(self.most[what], *map(abs, found[what]))
+        self.most["motor"] = max(self.most["motor"], *out)
+        self.most["tilt"] = max(self.most["tilt"], math.atan2(math.hypot(*self.lift[:2]), self.lift[2]))
+        return out
+
+
+def require_clips(record, certificate):
+    """What loops ask for in flights must not be clipped. So limits below that are refused, each with its reason, and so is a tilt that flights reach."""
+    claim = Claim(certificate)
+    hover = Hover(claim, cells_of(claim, certificate["cells"])[0], resting_yaw(segments_of(record, certificate["frame"])))
+    radius = hover.follow() / ONE
+    plain, tube_cascade.Controller, Watched.most = tube_cascade.Controller, Watched, collections.Counter()
+    try:
+        far = require_flights_within(record, certificate, 4, 4)
+    finally:
+        tube_cascade.Controller = plain
+    most, gains = Watched.most, certificate["gains"]
+    limited = lambda name, clip: {name: {**gains[name], "clip": clip}}
+
+    def found(**changes):
+        hover.claim = hover.loop.claim = Claim(changed(certificate, **changes))
+        try:
+            hover.require_limits()
+            hover.require_tilt()
+            return ""
+        except Refused as why:
+            return str(why)
+
+    cases = [("the rates may be clipped", lambda by: {"vehicle": {"body_rate_max": [by * most["rates"]] * 3}}),
+             ("the velocity may be clipped", lambda by: {"gains": limited("position", by * most["speed"])}),
+             ("the acceleration may be clipped", lambda by: {"gains": limited("velocity", by * most["acceleration"])}),
+             ("the angular acceleration may be clipped", lambda by: {"gains": limited("rates", by * most["spin"])}),
+             ("the tilt may be clipped", lambda by: {"gains": {"tilt_max": by * most["tilt"]}}),
+             ("may leave its range", lambda by: {"vehicle": {"motor_most": by * most["motor"]}})]
+    for words, change in cases:
+        why, loose = found(**change(0.999)), found(**change(12))
+        assert words in why and loose == "", (words, why, loose)
+        print(f"refused as it should be: {why}", flush=True)
+    assert "it may tilt by" in found(tilt=0.5 * certificate["tilt"])
+    assert found() == ""
+    loop, up = hover.loop, [fixed(F(v)) for v in (0.1, 0.1, 9.8)]
+    most_lift = fixed(4 * F(claim.motor_most) / F(claim.mass))
+    for lift, is_clipped in ((up, False), ([*up[:2], most_lift + 1], True), ([*up[:2], fixed(F(2.9))], True), ([most_lift, 0, up[2]], True)):
+        assert (loop.lift_room(lift, lift) <= 0) == is_clipped, lift
+    return radius, far
+
+
+def require_cascade_refused(record, certificate):
+    c, held = certificate, verify(record, certificate)["for_ever"]
+    for words, other in (
+            ("m off some time", changed(c, radius=[min(r, 0.999 * held) for r in c["radius"]])),
+            ("m off some time|it may tilt|no bounds", changed(c, gust_most=1.5 * c["gust_most"])),
+            ("knows no noise", changed(c, place_noise=1e-9)),
+            ("no gains that are off", changed(c, gain_error=1e-9)),
+            ("milliseconds", changed(c, position_period_ms=99))):
+        found = reason(record, other)
+        assert re.search(words, found), (words, found)
+        print(f"refused as it should be: {found}", flush=True)
+    return held
+
+
 def script(*arguments):
     """Exit code and words of the script as a program."""
     name = os.path.join(os.path.dirname(os.path.abspath(__file__)), "verify_hover.py")
@@ -218,6 +290,10 @@ cases = [certified(hover("quad", yaw=0.7), "--vehicle", "quad2kg", "--wind", "1,
          certified(hover("ranges", frame="neu", yaw=-0.4), "--vehicle", "quad2kg", "--wind-spread", "0.05", "--gust-most", "0.1", "--mass-error", "0.001",
                    "--drag-error", "0.05", "--motor-lag-error", "0.01", "--inertia-error", "0.005", "--start-error", "0.0002", "--start-speed", "0.0002"),
          certified(hover("crazyflie"), "--vehicle", "crazyflie", "--wind-spread", "0.2", "--gust-most", "0.2", "--mass-error", "0.004")]
+cascades = [certified(hover("cascade", yaw=0.7), "--vehicle", "quad2kg", "--wind", "1,0.5,0", "--gust-most", "0.2", "--start-error", "0.001",
+                      "--start-speed", "0.001", "--inertia-error", "0.001", controller="cascade"),
+            certified(hover("small cascade", frame="neu", yaw=-0.4), "--vehicle", "crazyflie", "--wind-spread", "0.1", "--gust-most", "0.2",
+                      "--mass-error", "0.002", controller="cascade")]
 for case in cases:
     said = verify(*case)
     far = require_flights_within(*case, 3, 4)
@@ -226,17 +302,24 @@ for case in cases:
 # One disturbance alone: flights come near the radius, so none can have been forgotten.
 for case in (certified(hover("wind"), "--vehicle", "quad2kg", "--wind-spread", "0.2"),
              certified(hover("start"), "--vehicle", "quad2kg", "--start-error", "0.0001", "--start-speed", "0.0001", before="0.001"),
-             certified(hover("mass"), "--vehicle", "quad2kg", "--mass-error", "0.002")):
+             certified(hover("mass"), "--vehicle", "quad2kg", "--mass-error", "0.002"),
+             certified(hover("cascade wind"), "--vehicle", "quad2kg", "--wind-spread", "0.2", controller="cascade"),
+             certified(hover("cascade start"), "--vehicle", "quad2kg", "--start-error", "0.0001", "--start-speed", "0.0001", before="0.001", controller="cascade"),
+             certified(hover("cascade mass"), "--vehicle", "quad2kg", "--mass-error", "0.002", controller="cascade")):
     said, far = verify(*case), require_flights_within(*case, 8, 3)
     print(f"{case[0]['id']} alone: proved for ever {said['for_ever']:.5g} m, flights came {far:.5g} m far", flush=True)
     assert 0.7 * said["for_ever"] < far <= said["for_ever"]
-require_period(*cases[0], 60)
-require_period(*cases[1], 60)
+for case in (*cases[:2], *cascades):
+    require_period(*case, 60)
+held, far = require_clips(*cascades[0])
+print(f"cascade: claimed {max(cascades[0][1]['radius']):.5g} m, proved for ever {held:.5g} m, flights came {far:.5g} m far", flush=True)
+assert 0.15 * held < far <= held
+require_cascade_refused(*cascades[1])
 require_refused(*cases[0])
 require_exit_codes(*cases[0])
 
 tried, chance = collections.Counter(), random.Random(SEED)
-streams = [Mutants(SEED * 10 + i).of(*case) for i, case in enumerate(cases)]
+streams = [Mutants(SEED * 10 + i).of(*case) for i, case in enumerate([*cases, *cascades])]
 for _ in range(MUTANTS):
     what, record, certificate, expected = next(chance.choice(streams))
     kind, found = what.split(":")[0], reason(record, certificate)

@@ -32,8 +32,10 @@ DIED = 200  # what has died away makes at most this part of each sum
 ACTED = 100  # periods, in which all disturbances have begun to act
 LOOK = 50  # periods, after which the script looks again whether what is held has settled
 LONGEST = 6000  # periods, until which all must have
+LONGEST_PERIOD = 100  # ms
 LARGEST = ONE << 20  # of sums
 ROUNDS = 30  # of larger bounds, then there are none
+SOME = 8  # limits that are summed up together: the first of them that does not hold refuses
 LAPS = 400  # until a bound of all that is old is found
 HALVINGS = 13  # at most so often the time doubles, in which only what is slow is left
 ONLY_SLOW = 50  # then the place keeps at most this part
@@ -262,6 +264,7 @@ class Hover:
     def __init__(self, claim, cell, yaw):
         self.claim, self.is_ball = claim, cell.is_ball
         self.loop = loop = LAWS[claim.controller](claim, cell, yaw)
+        require(loop.span <= LONGEST_PERIOD, f"its loops run in the same way again only after {loop.span} milliseconds")
         self.off = [fixed_up(v) if v else 0 for v in (claim.start_error, claim.start_speed)]
         self.start = loop.start(*self.off)
         self.count, self.halves = loop.COUNT, loop.halves
@@ -320,7 +323,13 @@ class Hover:
             self.usual = self.new_in_period([self.bounded(linear)])[0]
         rest = [self.slow.divided(row)[:self.count] for row in sums.powers]
         others = [swing(box, self.usual) for box in sums.box]
-        return all(DIED * swing(row, most) <= max(now, ONE >> 60) for most in (linear, others) for row, now in zip(rest, most))
+        checks = [(others, [max(a >> 4, b) for a, b in zip(linear, others)])]
+        if self.claim.gust_most:
+            checks.append((linear, linear))
+        for bounds, sums_of in checks:
+            if any(DIED * swing(row, bounds) > max(now, ONE >> 60) for row, now in zip(rest, sums_of)):
+                return False
+        return True
 
     def for_ever(self, now, least):
         """Bounds of the known forms, at least these, that hold in each period if they hold in those before: what is new there adds `now`."""
@@ -519,14 +528,13 @@ class Hover:
         """Of each phase. Bounds of the coordinates mostly suffice; where they do not, the sums say more."""
         limits = self.loop.limits()
         open_ = [limit for limit in limits if any(self.room(limit, k, self.by_bounds) <= 0 for k in range(len(self.phases)))]
-        models = list({id(m): m for _, group, _ in open_ for m in group}.values())
-        if not models:
-            return
-        found = self.by_sums(models)
-        for limit in open_:
-            for k, (begin, _) in enumerate(self.phases):
-                room = self.room(limit, k, lambda m, k: found[id(m)][k])
-                require(room > 0, f"{limit[0]} after {self.seconds(begin):.3f} s, by {-room / ONE:.4g}")
+        for i in range(0, len(open_), SOME):
+            some = open_[i:i + SOME]
+            found = self.by_sums(list({id(m): m for _, group, _ in some for m in group}.values()))
+            for limit in some:
+                for k, (begin, _) in enumerate(self.phases):
+                    room = self.room(limit, k, lambda m, k: found[id(m)][k])
+                    require(room > 0, f"{limit[0]} after {self.seconds(begin):.3f} s, by {-room / ONE:.4g}")
 
     def room(self, limit, k, half):
         _, models, room = limit
