@@ -107,7 +107,7 @@ class Held:
 
         winds = [(0, 3)] if hover.is_ball else [(i, i + 1) for i in range(3)]
         for first, last in (*winds, *((i, i + 1) for i in range(3, HELD))):
-            take(hover.halves[first], range(first, last), begun[count + first:count + last], added[first:last], last > first + 1)
+            take(max(hover.halves[first:last]), range(first, last), begun[count + first:count + last], added[first:last], last > first + 1)
         for k, off in enumerate(hover.off):
             take(off, [None] * 3, begun[3 * k:3 * k + 3], [none] * 3, True)
         self.columns.append([m.c - c for m, c in zip(hover.start, loop.middle)])
