@@ -12,10 +12,11 @@ import re
 import subprocess
 import sys
 import tempfile
+from operator import add, sub
 
 import numpy as np
 
-from hover_models import ONE, fixed
+from hover_models import BITS, ONE, fixed
 from hover_period import F
 from tool_runs import read, tool, write
 import tube_cascade
@@ -24,7 +25,7 @@ from tube_flight import GRAVITY, fly, track_of, with_gains_off
 from tube_flown import flown
 from tube_mutants import Mutants
 from verify_certificate import Refused, strict_json
-from verify_hover import LAWS, Hover, resting_yaw, verify
+from verify_hover import LAWS, Hover, Sums, product, resting_yaw, swing, verify
 
 MUTANTS = int(sys.argv[2]) if len(sys.argv) > 2 else 2
 SEED = int(sys.argv[3]) if len(sys.argv) > 3 else 1
@@ -121,13 +122,16 @@ def asked(claim, controller, s, j, before):
     return {**before, "rates": list(controller.rates), "spin": spin, "spin before": [a - STEP * i * e for a, i, e in zip(spin, k.i, error)]}
 
 
-def require_period(record, certificate, count, scale):
-    """What a quadrotor does in a period, from anywhere within bounds of its coordinates times `scale`, is within the model's remainders."""
+def require_period(record, certificate, count, scale, leans=0, turns=0):
+    """What a quadrotor does in a period, from anywhere within bounds of its coordinates times `scale`, is within the model's remainders. `leans`
+    and `turns` are bounds of how far the body's z axis and its heading are off, if they are not 0."""
     claim, chance = Claim(certificate), np.random.default_rng(SEED)
     track, cell = track_of(record, certificate["frame"]), Cell(claim)
     loop = LAWS[claim.controller](claim, cell, float(track.at(0, 0)[4][0]))
     references, rows = track.at(0, loop.span), claim.law.ROWS
     bounds = scale * np.array(BOUNDS[claim.controller])
+    if leans:
+        bounds[6:10] = [leans, leans, bounds[8], max(turns, bounds[9])]
     after = loop.run([[fixed(F(b)) for b in bounds]])
     real = lambda values: np.array([v / ONE for v in values])
     middle, held, halves, named = real(loop.middle), real(loop.held), real(loop.halves), real(loop.named_bounds(0))
@@ -213,11 +217,34 @@ class Watched(tube_cascade.Controller):
         return out
 
 
+def require_sums(hover):
+    """What was bounded by powers up to some age is at least what all powers up to four times that age say, and hardly more."""
+    forms, count = hover.place_forms, 4 * hover.sums.count
+    sums = Sums(hover, forms, [0])
+    while sums.count < count:
+        sums.advance(False)
+    at_least = lambda most, found, by: all(b <= a <= by * b for a, b in zip(most, found))
+    assert at_least(hover.gusts_for_ever[hover.place], sums.gusts_of(count), 1.05)
+    assert at_least(hover.balls_for_ever[:1], [sums.reaches[count][0] * sums.most >> BITS], 1.1)
+    assert all(a <= b for k in range(hover.last + 1) for a, b in zip(sums.gusts_of(min(k, count)), (*hover.gusts, hover.gusts_for_ever)[k][hover.place]))
+    assert at_least(hover.rest[-1][hover.place], [swing(box, hover.fresh[-1]) for box in sums.box], 1.5)
+    # What is held goes on as it did.
+    held, columns, after = hover.held, hover.held.at[hover.held.until], []
+    for k in range(3 * held.until):
+        columns = [list(map(add, a, b)) for a, b in zip(product(columns, hover.rows), held.added)]
+    for row, drift in zip(forms, hover.drift[hover.place]):
+        [now], [then] = (product([row], c) for c in (held.at[held.until], columns))
+        assert held.most([list(map(sub, now, then))])[0] <= drift + BITS
+        after.append(held.most([list(map(sub, now, then))])[0] / drift)
+    print(f"sums of old deviations are as they should be; of the bounds of what is held up to {max(after):.2f} was used", flush=True)
+
+
 def require_clips(record, certificate):
     """What loops ask for in flights must not be clipped. So limits below that are refused, each with its reason, and so is a tilt that flights reach."""
     claim = Claim(certificate)
     hover = Hover(claim, cells_of(claim, certificate["cells"])[0], resting_yaw(segments_of(record, certificate["frame"])))
     radius = hover.follow() / ONE
+    require_sums(hover)
     plain, tube_cascade.Controller, Watched.most = tube_cascade.Controller, Watched, collections.Counter()
     try:
         far = require_flights_within(record, certificate, 4, 4)
@@ -312,8 +339,8 @@ for case in (certified(hover("wind"), "--vehicle", "quad2kg", "--wind-spread", "
     print(f"{case[0]['id']} alone: proved for ever {said['for_ever']:.5g} m, flights came {far:.5g} m far", flush=True)
     assert 0.7 * said["for_ever"] < far <= said["for_ever"]
 for case in (*cases, *cascades):
-    for scale in (1, 0.01):
-        require_period(*case, 40, scale)
+    for bounds in ((1,), (0.01,), (0.001, 0.1), (0.001, 0.1, 0.1)):
+        require_period(*case, 40, *bounds)
 held, far = require_clips(*cascades[0])
 print(f"cascade: claimed {max(cascades[0][1]['radius']):.5g} m, proved for ever {held:.5g} m, flights came {far:.5g} m far", flush=True)
 assert 0.15 * held < far <= held
