@@ -335,7 +335,8 @@ for case in (certified(hover("wind"), "--vehicle", "quad2kg", "--wind-spread", "
              certified(hover("start"), "--vehicle", "quad2kg", "--start-error", "0.0001", "--start-speed", "0.0001", before="0.001"),
              certified(hover("mass"), "--vehicle", "quad2kg", "--mass-error", "0.002"),
              certified(hover("cascade wind"), "--vehicle", "quad2kg", "--wind-spread", "0.2", controller="cascade"),
-             certified(hover("cascade start"), "--vehicle", "quad2kg", "--start-error", "0.0001", "--start-speed", "0.0001", before="0.001", controller="cascade"),
+             certified(hover("cascade start"), "--vehicle", "quad2kg", "--start-error", "0.0001", "--start-speed", "0.0001",
+                       before="0.001", controller="cascade"),
              certified(hover("cascade mass"), "--vehicle", "quad2kg", "--mass-error", "0.002", controller="cascade")):
     said, far = verify(*case), require_flights_within(*case, 8, 3)
     print(f"{case[0]['id']} alone: proved for ever {said['for_ever']:.5g} m, flights came {far:.5g} m far", flush=True)

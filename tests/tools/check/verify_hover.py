@@ -152,8 +152,9 @@ class Held:
 # ---- What is not.
 
 class Sums:
-    """What gusts, remainders and named errors so far do to some linear forms, from period to period. The coordinates' deviations follow x <- L x + G n + N e + r.
-    Gusts n, named errors e and remainders r are new in each period. Powers of L are followed until what they leave is slow: then the sum of `known` forms in
+    """What gusts, remainders and named errors so far do to some linear forms, from period to period. The coordinates' deviations follow
+    x <- L x + G n + N e + r. Gusts n, named errors e and remainders r are new in each period.
+    Powers of L are followed until what they leave is slow: then the sum of `known` forms in
     that period bounds what is older."""
 
     def __init__(self, hover, rows, triples=()):
@@ -584,7 +585,8 @@ class Hover:
                 if 0 < least <= claimed:
                     x, y = (abs(m.c) + halves[id(m)][k] + slack + self.lost for m in axis[:2])
                     least = max(least, isqrt(max(ONE * ONE - x * x - y * y, 0)))
-                require(least > claimed, f"after {self.seconds(self.phases[k][0]):.3f} s it may tilt by {math.acos(max(least, 0) / ONE):.6g}, claimed {self.claim.tilt:.6g}")
+                begin, tilt = self.seconds(self.phases[k][0]), math.acos(max(least, 0) / ONE)
+                require(least > claimed, f"after {begin:.3f} s it may tilt by {tilt:.6g}, claimed {self.claim.tilt:.6g}")
 
     def radii(self):
         """Of each period in which the trajectory has begun, and of all that follow."""
