@@ -153,9 +153,8 @@ class Held:
 
 class Sums:
     """What gusts, remainders and named errors so far do to some linear forms, from period to period. The coordinates' deviations follow
-    x <- L x + G n + N e + r. Gusts n, named errors e and remainders r are new in each period.
-    Powers of L are followed until what they leave is slow: then the sum of `known` forms in
-    that period bounds what is older."""
+    x <- L x + G n + N e + r. Gusts n, named errors e and remainders r are new in each period. Powers of L are
+    followed until what they leave is slow. Then bounds of known forms so many periods ago bound what is older."""
 
     def __init__(self, hover, rows, triples=()):
         """Of each triple of forms the reach of gusts is added up, too."""
