@@ -38,7 +38,7 @@ double plan_distance(const Vec3& a, const Vec3& b) { return (a - b).head<2>().no
 // Ground that is known within metres, under a vehicle that follows it.
 class Surface {
  public:
-  explicit Surface(Random& random) : random_(random), ground_(ground_of(random)) {
+  Surface(Random& random, const Vec3& home) : random_(random), ground_(ground_of(random, home)) {
     band_.low = random.uniform(15, 40);
     band_.high = band_.low + random.uniform(0, 30);
   }
@@ -64,14 +64,18 @@ class Surface {
     return where == 0 ? low : where == 1 ? high : random_.uniform(low, high);
   }
 
-  static geom::GroundModel ground_of(Random& random) {
+  // It rises away from home, which is on it.
+  static geom::GroundModel ground_of(Random& random, const Vec3& home) {
     std::vector<double> low;
     std::vector<double> high;
     const double east = random.uniform(0, 1);
     const double north = random.uniform(0, 1);
     for (std::size_t j = 0; j < kCells; ++j) {
       for (std::size_t i = 0; i < kCells; ++i) {
-        const auto slope = east * static_cast<double>(i) + north * static_cast<double>(j);
+        const auto from = [](std::size_t cell, double at) {
+          return std::abs(static_cast<double>(cell) - std::floor((at + kReach) / kCell));
+        };
+        const double slope = east * from(i, home.x()) + north * from(j, home.y());
         low.push_back(kGround + slope + random.uniform(0, 3));
         high.push_back(low.back() + random.uniform(0, 3));
       }
@@ -89,15 +93,14 @@ class Surface {
 // A mission as text, and a point of its way as this program works that out.
 class Case {
  public:
-  explicit Case(Random& random) : random_(random), safely_(random.below(2)) {
-    if (random.below(3) == 0) surface_.emplace(random);
-  }
+  explicit Case(Random& random) : random_(random), safely_(random.below(2)) {}
 
   Attack make() {
     security_ = random_.below(2) ? random_.uniform(2, 60) : 2;
     home_ = somewhere();
     home_.z() = kGround;
     takeoff_ = place(home_);
+    if (random_.below(3) == 0) surface_.emplace(random_, home_);
     const int waylines = 1 + random_.below(2);
     for (int i = 0; i < waylines; ++i) fly(i);
     if (random_.below(2)) return_home();

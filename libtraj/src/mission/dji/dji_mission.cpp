@@ -20,6 +20,7 @@ constexpr double kRises = 50;           // m from home: nearer, some return with
 constexpr double kReturns = 20;         // m from home: nearer, some land where they are
 constexpr double kLegShare = 0.45;      // that a turn which is written may take
 constexpr double kSlack = 0.01;         // m, by which turns of a leg may seem to meet
+constexpr double kHomeOff = 5;          // m, of the height model's ground from the take-off's
 constexpr double kPiece = 5;            // m, of a leg over the surface that has one band of heights
 constexpr int kStartsLow[] = {60, 89};  // M300, M350: they do not rise to the security height
 
@@ -52,6 +53,7 @@ class DjiFlight {
       : mission_(mission), frame_(frame), rules_(rules), earth_(frame.origin), source_(source) {
     set_surface();
     set_home();
+    if (surface_) require_same_zero();
   }
 
   FlownDji fly() {
@@ -127,6 +129,20 @@ class DjiFlight {
                      .advice = "it climbs and sinks as the surface does"});
     }
     surface_.emplace(*rules_.surface, kMissionStray.x() + rules_.around, source_);
+  }
+
+  // The band counts from the model, and all else from the take-off.
+  void require_same_zero() const {
+    const SurfaceRange over = heights_at(home_);
+    const double low = over.low - rules_.surface->surface->low;
+    const double high = over.high - rules_.surface->surface->high;
+    if (home_.z() >= low - kHomeOff && home_.z() <= high + kHomeOff) return;
+    refuse(first_waypoint(),
+           {.expected = fmt::format(
+                "a take-off within {} m of the height model's ground, {:.1f} to {:.1f} m there",
+                kHomeOff, low, high),
+            .found = fmt::format("one at {:.1f} m", home_.z()),
+            .advice = "both must count from the zero of the map (--ground, --ground-model)"});
   }
 
   // What the band of heights came from.

@@ -1,5 +1,6 @@
 #include "traj/mission/dji/dji_mission.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -510,8 +511,18 @@ TEST(FlownDji, SurfaceOfWhichTooLittleIsKnownIsRefused) {
   EXPECT_EQ(
       refusal(m, {.surface = surface, .around = 330}),
       "m.kmz: expected a height model that knows the ground below the whole way, since the "
-      "aircraft follows the surface there, found a hole, or its end, at x -253.955 to 406.067, y "
-      "-330.011 to 330.012: take a larger height model (and map)");
+      "aircraft follows the surface there, found a hole, or its end, at x -330.011 to 330.011, y "
+      "-430.065 to 229.957: take a larger height model (and map)");
+  // A model that counts from another zero than the take-off.
+  for (const double off : {-5.5, 6.5}) {
+    EXPECT_EQ(refusal(m, {.ground = 10 + off, .surface = surface}),
+              fmt::format("m.kmz:7: expected a take-off within 5 m of the height model's ground, "
+                          "10.0 to 11.0 m there, found one at {:.1f} m: both must count from the "
+                          "zero of the map (--ground, --ground-model)",
+                          10 + off));
+  }
+  EXPECT_EQ(refusal(m, {.ground = 5.5, .surface = surface}), "");
+  EXPECT_EQ(refusal(m, {.ground = 15.5, .surface = surface}), "");
   m.aircraft = {1, 0};
   EXPECT_EQ(refusal(m, {.surface = surface}),
             "m.kmz:7: expected an aircraft of which is known how fast it climbs, found type 1: it "
