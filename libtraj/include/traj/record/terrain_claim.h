@@ -35,7 +35,7 @@ struct TerrainClaim {
   double spacing = 0;  // m between the posts of the autopilot's terrain
   double lag = 0;      // m that the vehicle may be behind the terrain
   double band = 0;     // m: the widest, from its lowest height to its highest
-  // Where the aircraft follows the surface: then the three above mean nothing.
+  // Set if the aircraft follows the surface. Then error, spacing and lag are not used.
   std::optional<SurfaceBand> surface = {};
 };
 

@@ -18,7 +18,7 @@ struct SurfaceRange {
   double middle() const { return (low + high) / 2; }
 };
 
-// What its operator says of it: how far it is over the ground that the model has below it.
+// The heights over the ground of a model that the aircraft's operator states.
 class SurfaceHeights {
  public:
   // `around`: metres, along each axis, that the aircraft may be from the places that are asked for.
@@ -30,8 +30,7 @@ class SurfaceHeights {
   // geom::InputError(source, …) where the model does not know the ground there.
   SurfaceRange over(std::span<const Vec3> places) const;
 
-  // All places over that rectangle's hull at these heights: each place at the lowest and at the
-  // highest.
+  // Each of these places twice: at the least height over all of them, and at the greatest.
   Hull raised(std::span<const Vec3> places) const;
 
  private:

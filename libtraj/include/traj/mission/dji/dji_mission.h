@@ -39,7 +39,7 @@ enum class DjiTurn { stop, early, through };
 struct DjiWaypoint {
   double latitude = 0;   // degrees
   double longitude = 0;  // degrees
-  double height = 0;     // m, as the wayline's heights count; above the surface it says nothing
+  double height = 0;     // m, as the wayline's heights count; not used above the surface
   double speed = 0;      // m/s from here to the next
   double hover = 0;      // s, beside the stop to turn
   std::size_t line = 0;  // where it was read
@@ -187,8 +187,8 @@ struct DjiRules {
 //   file asks for.
 // - goHome rises to globalRTHHeight (else `return_height`) where it is lower, flies level to above
 //   home, and lands. Within 50 m of home some aircraft do not rise: all heights between are swept.
-// - realTimeFollowSurface: DJI says no bound of how the aircraft keeps to the surface, so it is
-//   where `surface` says, whatever executeHeight is. It rises to takeOffSecurityHeight, goes above
+// - realTimeFollowSurface: DJI states no bound for this. The aircraft is where `surface` says,
+//   whatever executeHeight is. It rises to takeOffSecurityHeight, goes above
 //   the first waypoint and into the band of heights; on the way it may be anywhere in the upright
 //   face between. Each leg is in pieces of at most 5 m, each with the heights over the ground
 //   below it. From one wayline to the next it may be at any height that it may have on the way.

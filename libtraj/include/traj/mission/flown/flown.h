@@ -49,7 +49,8 @@ struct FlownLegs {
   std::optional<double> speed = {};  // m/s along the legs
   double climb = 0;                  // m/s at most, whatever that speed is; 0: as it is
   double descent = 0;                // likewise
-  // Whether these hold on legs with a band, too. Else it may rise or sink as fast again there.
+  // Whether these limits hold on legs with a band, too. If not, the vehicle may rise or sink twice
+  // as fast there.
   bool climb_holds_in_band = false;
   std::optional<FlightEnvelope> envelope = {};
   double airborne = 0;  // s, for the envelope
