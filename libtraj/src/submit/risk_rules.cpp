@@ -15,8 +15,8 @@ constexpr double kAbove = 1 + 1e-12;  // more than the few operations of a formu
 // A vehicle that goes level turns its speed upward: of a climb at 45 degrees, rounded up.
 constexpr double kClimbShare = 0.7072;
 
-constexpr std::string_view kAnnex = "SORA 2.5, Annex A, A.5";
-constexpr std::string_view kTerms = "SORA 2.5, Annex A, A.5; terms of the manoeuvre after LBA";
+constexpr std::string_view kTerm = "term of SORA 2.5";
+constexpr std::string_view kSize = "term of SORA 2.5; size after the guideline of LBA (Germany)";
 
 }  // namespace
 
@@ -35,6 +35,8 @@ double ground_buffer(const RiskRules& rules, double speed, double height) {
   return (speed * std::sqrt(2 * height / kGravity) + half) * kAbove;
 }
 
+double least_geography(const RiskRules& rules) { return 3 * rules.dimension; }
+
 std::vector<RiskFormula> formulas(const RiskRules& rules) {
   std::vector<RiskFormula> out{
       {"flight geography",
@@ -44,24 +46,24 @@ std::vector<RiskFormula> formulas(const RiskRules& rules) {
              "at every instant"
            : "the volumes that hold the vehicle with its margin and the stated buffer at every "
              "instant",
-       kAnnex}};
+       kTerm}};
   if (rules.contingency == ContingencyRule::stop) {
     out.push_back({"contingency volume, across",
-                   "S_CV = S_GNSS + S_Pos + S_K + V t + V^2 / (2 g tan(tilt))", kTerms});
+                   "S_CV = S_GNSS + S_Pos + S_K + V t + V^2 / (2 g tan(tilt))", kSize});
     out.push_back(
-        {"contingency volume, vertical", "H_CM = H_err + 0.7072 V t + V^2 / (2 g)", kTerms});
+        {"contingency volume, vertical", "H_CM = H_err + 0.7072 V t + V^2 / (2 g)", kSize});
   } else {
     out.push_back({"contingency volume",
                    "all places of the autopilot's own return, from every instant of the flight, "
                    "beside the flight geography",
-                   kAnnex});
+                   kTerm});
   }
   if (rules.buffer == BufferRule::one_to_one) {
-    out.push_back({"ground risk buffer", "S_GRB = H_CV + CD / 2 (1:1 rule)", kAnnex});
+    out.push_back({"ground risk buffer", "S_GRB = H_CV + CD / 2 (1:1 rule)", kSize});
   } else {
     out.push_back({"ground risk buffer",
                    "S_GRB = V sqrt(2 H_CV / g) + CD / 2 (ballistic, without drag and wind)",
-                   kTerms});
+                   kSize});
   }
   return out;
 }

@@ -57,5 +57,20 @@ TEST(SummaryPage, ProvesOfNoMissionThatItsBatteryLasts) {
   EXPECT_TRUE(says(out, "mission", "estimates, by which the battery lasts to its reserve."));
 }
 
+TEST(SummaryPage, SaysWhereTheFlightGeographyIsSmallerThanTheGuidelineAsksFor) {
+  const FlightClaims narrow{.id = "q1", .half = Vec3(0.5, 0.6, 0.4), .margin = 0.25};
+  Submission out;
+  out.method.risk.dimension = 0.5;
+  const auto page = [&] { return summary_page({}, out, {&narrow, 1}); };
+  EXPECT_NE(page().find("1.5 m wide and 1.3 m high. LBA's guideline asks for 3 CD (1.5 m), and "
+                        "<strong>this is less</strong>"),
+            std::string::npos);
+  out.method.buffer = 0.1;
+  EXPECT_NE(page().find("1.7 m wide and 1.5 m high. LBA's guideline asks for 3 CD (1.5 m)."),
+            std::string::npos);
+  out.method.tubes = SourceFile{};  // then the tube takes the place of the margin
+  EXPECT_NE(page().find("1.2 m wide and 1 m high"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace traj

@@ -8,12 +8,14 @@
 //   assert(size.across > 10 && traj::ground_buffer(rules, 10, 60) == 60.35);
 //   for (const traj::RiskFormula& one : traj::formulas(rules)) std::cout << one.formula << '\n';
 //
-// SORA 2.5, Annex A (A.5): the flight geography holds the flight, the contingency volume what is
-// flown when something goes wrong, and the ground risk buffer where the vehicle may come down. For
-// the terms of a contingency manoeuvre Annex A leaves the choice to the operator; those here are
-// the ones of LBA, "Guideline for the dimensioning of flight geography, contingency volume and
-// ground risk buffer". No instance of these rules proves that a vehicle behaves so: they are
-// assumptions.
+// The terms are those of SORA 2.5: the flight geography holds the flight, the contingency volume
+// what is flown when something goes wrong, and the ground risk buffer where the vehicle may come
+// down. The sizes are those of LBA's guideline (Luftfahrt-Bundesamt: dimensioning of flight
+// geography, contingency volume and ground risk buffer), with numbers that the operator may choose.
+// They give the twelve distances for multirotors that BBK and LBA publish (STS-BOS 1.0 of June
+// 2025, tables 1 and 2: 30 degrees, 1 m of height), to their decimetre. SORA's Annex A, whose
+// chapter A.5 is about flight areas, was not read: nothing here claims that it asks for no more. No
+// instance of these rules proves that a vehicle behaves so: they are assumptions.
 
 #include <string_view>
 #include <vector>
@@ -68,6 +70,9 @@ struct RiskFormula {
   std::string_view formula;  // "S_GRB = H_CV + CD / 2"
   std::string_view source;
 };
+
+// m, across and in height: LBA's guideline asks for a flight geography no smaller than this (3 CD).
+double least_geography(const RiskRules& rules);
 
 // Those that these rules use.
 std::vector<RiskFormula> formulas(const RiskRules& rules);
