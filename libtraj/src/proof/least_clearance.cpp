@@ -17,6 +17,8 @@ constexpr std::size_t kMany = 16;   // boxes around a part that is halved first
 constexpr int kMostParts = 20000;   // that are halved; others meet all boxes around them
 constexpr int kDeepest = 60;        // halvings of a curve beside a few boxes
 constexpr double kClose = 1e-3;     // metres
+constexpr double kNear = 1;         // metres beyond the nearest box, whenever that is there
+constexpr double kFurther = 4;      // times as far, where none so near is there at the time
 constexpr double kRounding = 1e-6;  // metres: more than growing rounds
 
 // What is needed of a curve or a leg: how little nearer is not looked for, a ball and a box that
@@ -73,11 +75,8 @@ class Search {
 
   // Nothing where no box is there at any of these times.
   std::optional<Extreme> over(const std::vector<Part>& parts) {
-    if (times_.count()) {
-      const auto then = boxes_then({parts.front().begin, parts.back().end});
-      if (then.empty()) return std::nullopt;
-      measure(parts.front(), then);
-    }
+    const auto measured = [&](const Part& part) { return measure_around(part); };
+    if (times_.count() && std::none_of(parts.begin(), parts.end(), measured)) return std::nullopt;
     for (const Part& part : parts) add(part);
     while (!open_.empty()) {
       const Open next = open_.top();
@@ -105,14 +104,22 @@ class Search {
     return {geom::grow(scene_.map().box(i), scene_.vehicle().half), times_.of(i)};
   }
 
-  // All of them that are there then: so that there is something to compare with, where the nearest
-  // ones may be there at other times.
-  std::vector<BoxInTime> boxes_then(const geom::TimeSpan& time) const {
-    std::vector<BoxInTime> out;
-    for (std::size_t i = 0; i < scene_.map().size(); ++i) {
-      if (times_.of(i).meets(time)) out.push_back(grown(i));
+  // Measures boxes around the part that are there at its times, so that there is something to
+  // compare with where the nearest ones may be there at others. False where none is.
+  bool measure_around(const Part& part) {
+    const Vec3 middle = middle_of(part);
+    double reach = kNear + scene_.nearest(middle, kInfinity)->distance;
+    for (;; reach *= kFurther) {
+      const Vec3 pad = Vec3::Constant(reach);
+      const auto found = scene_.boxes_meeting({middle - pad, middle + pad});
+      std::vector<BoxInTime> then;
+      for (const std::size_t i : found) {
+        if (times_.of(i).meets({part.begin, part.end})) then.push_back(grown(i));
+      }
+      measure(part, then);
+      if (best_.value < kInfinity) return true;
+      if (found.size() == scene_.map().size()) return false;
     }
-    return out;
   }
 
   // Tells most boxes that need not be grown exactly, which takes longer.
