@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "bound_planes.h"
 #include "geom/shape/empty_box.h"
@@ -10,6 +11,7 @@ namespace {
 constexpr double kLongestSeed = 40;     // metres
 constexpr double kLargestStepBack = 2;  // metres: how much neighbouring boxes share at least to try
 constexpr double kOverlap = 0.5;     // metres an axis, for two boxes to be taken one after another
+constexpr double kLeastStep = 1e-9;  // metres between the begins of two boxes
 constexpr std::size_t kCuts = 2000;  // of a search for an empty box
 constexpr int kDeepest = 60;         // halvings of a seed
 
@@ -24,7 +26,8 @@ class BoxChain {
   BoxChain(const geom::CollisionScene& scene, const geom::Polyline& path, double reach)
       : scene_(scene), path_(path), reach_(reach) {}
 
-  // Empty where a seed cannot be found, which rounding alone could bring about.
+  // Empty where a seed cannot be found, or boxes get no further: rounding could bring that about,
+  // and a path that is not clear does.
   std::vector<geom::Aabb> boxes() {
     std::vector<geom::Aabb> out;
     Place at;
@@ -32,11 +35,12 @@ class BoxChain {
       const auto seed = seed_from(at);
       const auto box = seed ? largest_around(*seed) : std::nullopt;
       if (!box) return {};
-      out.push_back(*box);
       const Place exit = exit_from(*box, at);
+      out.push_back(*box);
       exits_.push_back(point(exit));
       if (exit.leg + 1 == path_.size()) return out;
-      at = stepped_back(exit, at);
+      const Place before = std::exchange(at, stepped_back(exit, at));
+      if (!is_beyond(at, before)) return {};
     }
   }
 
@@ -46,6 +50,12 @@ class BoxChain {
   Vec3 point(const Place& p) const {
     if (p.leg + 1 == path_.size()) return path_.back();
     return path_[p.leg] + p.part * (path_[p.leg + 1] - path_[p.leg]);
+  }
+
+  bool is_beyond(const Place& p, const Place& before) const {
+    if (p.leg != before.leg) return p.leg > before.leg;
+    const double length = (path_[p.leg + 1] - path_[p.leg]).norm();
+    return (p.part - before.part) * length > kLeastStep;
   }
 
   // The box around a part of the leg ahead, as long as halving a reach makes it clear.

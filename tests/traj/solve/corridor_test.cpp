@@ -216,6 +216,19 @@ TEST(BoxCorridor, LeadsThroughEmptyBoxesFromStartToGoal) {
   EXPECT_LT(pieces, 60u * 40);
 }
 
+// Boxes come nearer and nearer to the wall, and never past it.
+TEST(BoxCorridor, IsEmptyForAPathThatMeetsAnObstacle) {
+  const geom::CollisionScene scene = testing::scene_of(
+      {{Vec3(20, -20, 0), Vec3(21, 20, 40)}}, {Vec3(-90, -90, 0), Vec3(90, 90, 150)});
+  testing::Random random(5);
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 from(random.number(-50, 10), random.number(-15, 15), random.number(2, 30));
+    const Vec3 to(random.number(30, 60), random.number(-15, 15), random.number(2, 30));
+    ASSERT_FALSE(scene.free(from, to));
+    EXPECT_TRUE(box_corridor(scene, {from, to}, 10).empty());
+  }
+}
+
 TEST(BoxCorridor, IsEmptyForOnePlace) {
   const geom::CollisionScene scene = testing::scene_of({}, {Vec3::Zero(), Vec3(100, 100, 50)});
   EXPECT_TRUE(box_corridor(scene, {Vec3(1, 1, 1)}, 10).empty());
