@@ -13,6 +13,7 @@
 #include "geom/map/map_patch.h"
 #include "geom/record/flight_time.h"
 #include "geom/text/json_line.h"
+#include "geom/zone/zone_report.h"
 #include "verbs.h"
 #include "volumes.h"
 
@@ -95,6 +96,15 @@ void refuse_idle(const CLI::App& app, const Changes& changes) {
   cli::only_for(app, volumes || !changes.add.empty(), {"--metres"}, "--add and --keep-out");
 }
 
+void warn_of_zones(const BoxMap& map, const cli::Common& common) {
+  for (const geom::ZoneSource& zone : geom::zone_sources(map.spec())) {
+    common.warn(fmt::format(
+        "--remove: boxes of the zones of {} may be among them, so no report names it as closed any "
+        "more; patch it in again",
+        zone.file));
+  }
+}
+
 void run_patch(const Files& files, const Changes& changes, const cli::Common& common) {
   if (!changes.any()) {
     throw cli::UsageError(
@@ -106,7 +116,10 @@ void run_patch(const Files& files, const Changes& changes, const cli::Common& co
   const BoxMap map = open(files.map, common);
   geom::MapPatch patch(map, files.map);
   Json stats;
-  if (!changes.remove.empty()) stats["removed"] = patch.remove(ids_of(changes.remove));
+  if (!changes.remove.empty()) {
+    stats["removed"] = patch.remove(ids_of(changes.remove));
+    warn_of_zones(map, common);
+  }
   if (!changes.add.empty()) {
     cli::InputFile file(changes.add);
     BoxTable fresh = geom::read_box_csv(file.stream(), file.name());

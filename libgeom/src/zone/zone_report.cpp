@@ -1,6 +1,8 @@
 #include "geom/zone/zone_report.h"
 
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "geom/text/json_fields.h"
 #include "geom/text/parse_json.h"
@@ -70,16 +72,27 @@ ZoneSource source_of(const Json& json) {
   return out;
 }
 
-void collect(const Json& steps, std::vector<ZoneSource>& out) {
-  if (!steps.is_array()) return;
+// Boxes that are removed later may be those of a zone: nothing tells them apart.
+bool removes(const Json& step) {
+  return step.contains("removed") && step["removed"].is_number() && step["removed"] > 0;
+}
+
+std::vector<ZoneSource> collected(const Json& steps) {
+  std::vector<ZoneSource> out;
+  if (!steps.is_array()) return out;
   for (const Json& step : steps) {
     if (!step.is_object()) continue;
+    if (removes(step)) out.clear();
     if (step.contains("zones") && step["zones"].is_object()) {
       out.push_back(source_of(step["zones"]));
     }
     if (!step.contains("histories") || !step["histories"].is_array()) continue;
-    for (const Json& other : step["histories"]) collect(other, out);
+    for (const Json& other : step["histories"]) {
+      std::vector<ZoneSource> more = collected(other);
+      std::move(more.begin(), more.end(), std::back_inserter(out));
+    }
   }
+  return out;
 }
 
 }  // namespace
@@ -112,11 +125,8 @@ Json to_json(const ZoneSource& source) {
 }
 
 std::vector<ZoneSource> zone_sources(const BoxMapSpec& spec) {
-  std::vector<ZoneSource> out;
-  if (!spec.history.empty()) {
-    collect(parse_ordered_json(spec.history, "the map's history"), out);
-  }
-  return out;
+  if (spec.history.empty()) return {};
+  return collected(parse_ordered_json(spec.history, "the map's history"));
 }
 
 }  // namespace geom

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "geom/map/derive.h"
 #include "geom/map/map_patch.h"
 
 namespace geom {
@@ -43,6 +44,28 @@ TEST(ZoneSources, ComeBackFromAMapsHistory) {
   EXPECT_EQ(zone.times, example().zones[0].times);
   EXPECT_EQ(zone.authority, "Police");
   EXPECT_EQ(zone.message, "Ask first");
+}
+
+// What was removed may have been theirs; zones of the same step, and later ones, are whole.
+TEST(ZoneSources, AreForgottenWhereBoxesWereRemovedAfterThem) {
+  BoxTable table;
+  table.add({{1, 1, 0}, {2, 2, 5}}, 0);
+  table.add({{3, 1, 0}, {4, 2, 5}}, 1);
+  table.add({{5, 1, 0}, {6, 2, 5}}, 2);
+  const BoxMap map({.frame = {}, .bounds = {{0, 0, 0}, {9, 9, 9}}, .bounds_from = "source"}, table);
+  MapPatch first(map, "city.boxmap");
+  first.note("zones", to_json(example()));
+  const BoxMap closed = first.made();
+  MapPatch removal(closed, "city.boxmap");
+  removal.remove({1});
+  const BoxMap open = removal.made();
+  EXPECT_TRUE(zone_sources(open.spec()).empty());
+  const BoxMap joined = join(std::vector<SourceMap>{{"a", open}, {"b", closed}});
+  EXPECT_EQ(zone_sources(joined.spec()).size(), 1U);
+  MapPatch again(open, "city.boxmap");
+  again.remove({0});
+  again.note("zones", to_json(example()));
+  EXPECT_EQ(zone_sources(again.made().spec()).size(), 1U);
 }
 
 }  // namespace

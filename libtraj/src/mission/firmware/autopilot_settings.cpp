@@ -247,12 +247,20 @@ void take_home_as_rally(const AutopilotSettings& settings, SetAutopilot& out) {
   }
 }
 
-// A way around fences, heights above a terrain that is not known here, a landing beside a beacon:
-// then nobody knows where a return goes. All of these are off by default.
+// Ways around obstacles and fences, heights above a terrain that is not known here, a landing
+// beside a beacon: then nobody knows where a return goes, and some of these count in a mission,
+// too. All of them are off by default.
 void take_unknown_ways(const AutopilotSettings& settings, Autopilot& out) {
-  for (const char* name : {"RTL_PLD_MD", "RTL_ALT_TYPE", "OA_TYPE", "PLND_ENABLED"}) {
-    const auto found = settings.values.find(name);
-    if (found != settings.values.end() && found->second != 0) out.returns_home = false;
+  const auto any_on = [&](std::initializer_list<const char*> names) {
+    return std::any_of(names.begin(), names.end(), [&](const char* name) {
+      const auto found = settings.values.find(name);
+      return found != settings.values.end() && found->second != 0;
+    });
+  };
+  out.keeps_to_legs = !any_on({"OA_TYPE", "COM_OBS_AVOID"});
+  out.lands_below = !any_on({"PLND_ENABLED"});
+  if (any_on({"RTL_PLD_MD", "RTL_ALT_TYPE"}) || !out.keeps_to_legs || !out.lands_below) {
+    out.returns_home = false;
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "geom/base/error.h"
 #include "mission_jumps.h"
 #include "mission_places.h"
 
@@ -60,6 +61,37 @@ std::vector<Autopilot> autopilots_that_load(const Mission& mission, const Missio
                                            : fmt::format("command {}", item->command),
        .advice =
            "PX4 loads no mission with it, and no other autopilot is asked for (--autopilot)"});
+}
+
+void require_legs_are_kept(const MissionRules& rules, std::string_view source) {
+  for (const Autopilot& one : rules.autopilots) {
+    if (one.keeps_to_legs) continue;
+    throw geom::InputError(
+        source, {.expected = "an autopilot that keeps to the legs of a mission",
+                 .found = fmt::format("one that goes round obstacles ({} is not 0)",
+                                      one.firmware == Firmware::px4 ? "COM_OBS_AVOID" : "OA_TYPE"),
+                 .advice = "nobody knows which way it takes then"});
+  }
+}
+
+// PX4 (MissionBase) looks for a beacon where the second parameter is 1 or 2: it climbs to search,
+// and lands beside its place. ArduPilot does so where PLND_ENABLED says so.
+void require_lands_below(const MissionItem& landing, const MissionRules& rules,
+                         std::string_view source) {
+  const double precision = landing.param[1];
+  if (!flown_by(Firmware::ardupilot, rules) && !std::isnan(precision) && precision != 0) {
+    refuse_item(source, landing,
+                {.key = "the precision of a landing (parameter 2)",
+                 .expected = "0",
+                 .found = fmt::to_string(precision),
+                 .advice = "it may climb, and land beside a beacon"});
+  }
+  for (const Autopilot& one : rules.autopilots) {
+    if (one.lands_below) continue;
+    refuse_item(source, landing,
+                {.expected = "an autopilot that lands straight below",
+                 .found = "one that lands beside a beacon (PLND_ENABLED is not 0)"});
+  }
 }
 
 bool flown_by(Firmware firmware, const MissionRules& rules) {

@@ -24,4 +24,13 @@ std::vector<Autopilot> autopilots_that_load(const Mission& mission, const Missio
 // Whether all autopilots of the rules are of that firmware.
 bool flown_by(Firmware firmware, const MissionRules& rules);
 
+// Throws geom::InputError(source, …) where one of the rules' autopilots goes round obstacles as it
+// likes.
+void require_legs_are_kept(const MissionRules& rules, std::string_view source);
+
+// Throws geom::InputError(source, line, …) where one of them does not land straight below its
+// place.
+void require_lands_below(const MissionItem& landing, const MissionRules& rules,
+                         std::string_view source);
+
 }  // namespace traj

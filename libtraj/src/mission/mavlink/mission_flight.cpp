@@ -42,6 +42,7 @@ class Flight {
         over_terrain_(counts_from_terrain(mission, rules, source)) {}
 
   FlownMavlink fly() {
+    require_legs_are_kept(rules_, source_);
     order_ = flown_order(mission_, source_, flown_.endless_jumps);
     if (const MissionItem* item = not_for_px4(mission_)) {
       flown_.not_for_px4 = item->command;
@@ -339,6 +340,7 @@ class Flight {
 
   // On the ground at the height it says, from the height it comes with.
   void land(const MissionItem& item) {
+    require_lands_below(item, rules_, source_);
     const Vec3 ground = place(item);
     if (path().empty()) refuse({.expected = "a waypoint or a take-off before the landing"});
     // ArduPilot stops before it lands.

@@ -93,6 +93,15 @@ TEST(AutopilotSettings, KnowNoWayOfAReturnRoundFencesOverTerrainOrToABeacon) {
   EXPECT_FALSE(set("NAV_ACC_RAD,2\nRTL_PLD_MD,1\n").autopilot.returns_home);
 }
 
+TEST(AutopilotSettings, SayWhatLeavesAMissionsWay) {
+  EXPECT_TRUE(set("RTL_ALT,1500\n").autopilot.keeps_to_legs);
+  EXPECT_FALSE(set("RTL_ALT,1500\nOA_TYPE,2\n").autopilot.keeps_to_legs);
+  EXPECT_FALSE(set("NAV_ACC_RAD,2\nCOM_OBS_AVOID,1\n").autopilot.keeps_to_legs);
+  EXPECT_FALSE(set("NAV_ACC_RAD,2\nCOM_OBS_AVOID,1\n").autopilot.returns_home);
+  EXPECT_TRUE(set("RTL_ALT,1500\nPLND_ENABLED,0\n").autopilot.lands_below);
+  EXPECT_FALSE(set("RTL_ALT,1500\nPLND_ENABLED,1\n").autopilot.lands_below);
+}
+
 TEST(AutopilotSettings, SayHowHighAFenceLetsAReturnClimb) {
   const std::string height = "RTL_ALT,1500\nFENCE_ALT_MAX,50\nFENCE_MARGIN,3\n";
   EXPECT_FALSE(set(height).autopilot.return_ceiling) << "it is off";
