@@ -98,7 +98,9 @@ void FlightFiles::add_mission(const std::string& path, const std::string& text,
     throw cli::UsageError(fmt::format("two missions are named {}: rename one", name));
   }
   for (const auto& one : flights_.of_mission(text, path)) {
-    terrain_use_.take(one.flight->report());
+    const traj::ReportRecord& report = one.flight->report();
+    for (const std::string& note : one.notes) common_.warn(report.id + ": " + note);
+    terrain_use_.take(report);
     of_missions_.push_back({traj::flight_parts(*one.flight, map)});
   }
   missions_.push_back(name);

@@ -138,6 +138,10 @@ class Folder {
     if (submission_.population) {
       not_verified_.push_back("that population.csv is of " + submission_.population->name);
     }
+    if (submission_.method.ground_model) {
+      not_verified_.push_back(
+          fmt::format("that {} is of {}", kGroundFile, submission_.method.ground_model->name));
+    }
     return std::nullopt;
   }
 

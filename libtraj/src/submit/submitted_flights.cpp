@@ -7,6 +7,7 @@
 #include "geom/base/error.h"
 #include "geom/text/json_fields.h"
 #include "geom/zone/ground_band.h"
+#include "traj/check/check_record.h"
 #include "traj/mission/formats/mission_formats.h"
 #include "traj/mission/read_mission.h"
 #include "traj/record/trajectory_record.h"
@@ -88,6 +89,10 @@ std::vector<FlightInScene> SubmittedFlights::of_mission(const std::string& text,
     out.push_back(
         {scene, std::make_unique<SubmittedMission>(*scene, one, method_, reading_.flier)});
     out.back().flight->know_ground(reading_.rules.terrain);
+    out.back().notes = one.notes;
+    if (std::string note = corner_note(one.flown); !note.empty()) {
+      out.back().notes.push_back(std::move(note));
+    }
   }
   return out;
 }

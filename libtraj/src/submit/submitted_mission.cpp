@@ -61,12 +61,10 @@ SubmittedMission::SubmittedMission(const geom::CollisionScene& scene, const File
   if (!is_mission_) return;
   mission_ = *mission;
   mission_.path_stray += file.flown.navigation;
-  if (mission->terrain) {
-    seconds_ = mission->seconds_over_terrain;
-    return;
-  }
+  seconds_ = mission->least_seconds;
+  if (mission->terrain) return;
   if (mission->drift.empty()) {  // of DJI: on its way, with turns that are swept
-    seconds_ = seconds_of({stages_of(*mission, *mission->speed)});
+    seconds_ = std::max(seconds_, seconds_of({stages_of(*mission, *mission->speed)}));
     const bool height_known = method.return_height || mission->return_height;
     if (method.risk.contingency == ContingencyRule::ways_home && height_known) {
       return_ = dji_flight_return(scene, *mission, flier, {.height = method.return_height});
@@ -74,7 +72,7 @@ SubmittedMission::SubmittedMission(const geom::CollisionScene& scene, const File
     return;
   }
   const FlightReturn of = flight_return(*mission, flier, method.return_height);
-  seconds_ = seconds_of(of.stages);
+  seconds_ = std::max(seconds_, seconds_of(of.stages));
   if (method.risk.contingency == ContingencyRule::ways_home) return_ = of;
 }
 
@@ -95,6 +93,14 @@ std::optional<std::string> SubmittedMission::why_no_times() const {
   if (mission_.returns) {
     return "it ends with a return whose way is not known: say how high it returns "
            "(--return-height)";
+  }
+  if (!mission_.endless.empty()) {
+    return mission_.endless + ": nobody knows how long it takes, so it has no volumes";
+  }
+  if (method_.risk.contingency == ContingencyRule::ways_home && !mission_.returns_if_lost) {
+    return "the file says that the aircraft does not return when its link is lost "
+           "(executeRCLostAction, exitOnRCLost): plan it to return, or leave --contingency return "
+           "out";
   }
   if (!mission_.rally.empty()) {
     return "it ends at home or at one of its rally points, and volumes are made for one end: leave "

@@ -14,6 +14,10 @@ Python's standard library is enough. The script works out
 - the people in all cells of population.csv that a ground risk buffer touches;
 - durations, energy and the times of claims.jsonl.
 
+It does not know how autopilots fly: of a mission (a flight of the kind "mission") it follows the files, the
+sizes of contingency volumes and ground risk buffers, and the people, but not where the mission is flown, its
+clearance and its time. It says so, and skyway-check FOLDER proves these.
+
 Places are brought to metres by a projection of its own (an equirectangular one with the ellipsoid's two
 radii at the middle of a polygon), so lengths agree to some centimetres: TOLERANCE says how much is let
 pass. Exit 0 if all of this holds, 1 if something does not, with the file and the reason; 2 for wrong
@@ -413,7 +417,16 @@ def check(folder):
         if cells is not None:
             below = people_below(cells, buffers)
             require(one["people"] >= below - 1e-6 * max(1, below), "claims.jsonl", f"{below} people are below {one['id']}")
-    return len(claims)
+    return claims
+
+
+def verdict(claims):
+    missions = sum(one["kind"] == "mission" for one in claims)
+    out = f"{len(claims)} flights: files, certificates, volumes and claims hold"
+    if not missions:
+        return out
+    return f"{len(claims)} flights: files and certificates hold; of {missions} missions only the sizes around their volumes " \
+           "were followed, not that these hold them, nor their clearance and time (skyway-check FOLDER proves both)"
 
 
 def main():
@@ -421,14 +434,14 @@ def main():
         print(__doc__.splitlines()[0], file=sys.stderr)
         return 2
     try:
-        count = check(sys.argv[1])
+        claims = check(sys.argv[1])
     except Refused as refusal:
         print(f"refused: {refusal}")
         return 1
     except (OSError, KeyError, ValueError, TypeError, IndexError) as error:
         print(f"{sys.argv[1]}: {type(error).__name__}: {error}")
         return 3
-    print(f"{count} flights: files, certificates, volumes and claims hold")
+    print(verdict(claims))
     return 0
 
 

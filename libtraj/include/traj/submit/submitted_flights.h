@@ -25,6 +25,7 @@ namespace traj {
 struct FlightInScene {
   std::shared_ptr<const geom::CollisionScene> scene;
   std::unique_ptr<SubmittedFlight> flight;
+  std::vector<std::string> notes = {};  // what its user should know before flying it
 };
 
 // The files of a folder on which the reading of missions rests, by their texts, where the method

@@ -17,6 +17,7 @@ constexpr double kLeastSecurity = 2;    // m, of takeOffSecurityHeight
 constexpr double kMostSecurity = 1500;  // m
 constexpr double kUsualSpeed = 5;       // m/s
 constexpr double kRises = 50;           // m from home: nearer, some return without a rise
+constexpr double kUsualRise = 3;        // m/s, where the airframe is not known
 constexpr double kReturns = 20;         // m from home: nearer, some land where they are
 constexpr double kLegShare = 0.45;      // that a turn which is written may take
 constexpr double kSlack = 0.01;         // m, by which turns of a leg may seem to meet
@@ -72,7 +73,9 @@ class DjiFlight {
     flown_.path_stray = kMissionStray;
     flown_.idle_items = mission_.actions;
     flown_.return_height = mission_.return_height;
+    flown_.returns_if_lost = mission_.without_link == "goBack";
     claim_surface();
+    estimate_time();
     return std::move(flown_);
   }
 
@@ -153,13 +156,21 @@ class DjiFlight {
     flown_.terrain = TerrainClaim{.model = ground.is_flat() ? "flat" : ground.spec().hash,
                                   .band = widest_,
                                   .surface = rules_.surface->surface};
-    const DjiAirframe& airframe = *airframe_of(mission_.aircraft);
+  }
+
+  // Level ways at their speeds, then all that it rises and sinks, and where it hovers.
+  void estimate_time() {
+    const DjiAirframe* airframe = airframe_of(mission_.aircraft);
     double rise = flown_.path.front().z() - home_.z();
     for (std::size_t i = 1; i < flown_.path.size(); ++i) {
       rise += std::abs(flown_.path[i].z() - flown_.path[i - 1].z());
     }
+    const bool comes_down = flown_.lands_below || flown_.ends.landing_on.has_value();
+    if (comes_down) rise += std::max(0.0, flown_.path.back().z() - home_.z());
     for (const double hold : flown_.hold) seconds_ += hold;
-    flown_.seconds_over_terrain = seconds_ + rise / std::min(airframe.climb, airframe.descent);
+    for (const DjiWayline& wayline : mission_.waylines) seconds_ += wayline.hover_before;
+    flown_.least_seconds =
+        seconds_ + rise / (airframe ? std::min(airframe->climb, airframe->descent) : kUsualRise);
   }
 
   void set_home() {
@@ -274,7 +285,7 @@ class DjiFlight {
     reach(at_height(home_, rises_to), Manoeuvre::takeoff);
     if (safely || first.z() < security) reach(at_height(first, rises_to), Manoeuvre::leg);
     reach(first, Manoeuvre::leg);
-    if (flown_.path.size() > 1) say_speed(mission_.transit_speed);
+    if (flown_.path.size() > 1) say_speed(mission_.transit_speed, first - home_);
   }
 
   void go_on(const DjiWayline& wayline, const DjiWaypoint& last) {
@@ -296,7 +307,7 @@ class DjiFlight {
     }
     reach(first, Manoeuvre::leg);
     require_room(begun, last, wayline.waypoints.front());
-    say_speed(mission_.transit_speed);
+    say_speed(mission_.transit_speed, first - from);
   }
 
   // Of a leg; over the surface of its plan, which is never longer.
@@ -364,7 +375,7 @@ class DjiFlight {
     flown_.sweeps.push_back({std::move(hull), {turn.item, Manoeuvre::corner}});
   }
 
-  // Of a leg, for an estimate of the time over the surface.
+  // Of a leg, for an estimate of the time.
   void say_speed(double speed, const Vec3& leg = Vec3::Zero()) {
     flown_.speed = std::max(flown_.speed.value_or(0), speed);
     seconds_ += leg.head<2>().norm() / speed;

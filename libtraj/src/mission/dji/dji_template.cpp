@@ -111,6 +111,7 @@ class TemplateReader {
     if (wayline == mission_.waylines.end() || wayline->waypoints.size() != placemarks.size()) {
       differ(element, "this template has other waypoints");
     }
+    hold_height_mode(folder, *wayline);
     for (std::size_t i = 0; i < placemarks.size(); ++i) {
       hold_waypoint(folder, *placemarks[i], *wayline, wayline->waypoints[i]);
     }
@@ -140,6 +141,19 @@ class TemplateReader {
     if (flown.turn != DjiTurn::stop) {
       hold_metres(turn, "wpml:waypointTurnDampingDist", flown.damping);
     }
+  }
+
+  // Heights above the ground may be waylines of either kind.
+  void hold_height_mode(const WpmlFields& folder, const DjiWayline& wayline) const {
+    const WpmlFields system(folder.child("wpml:waylineCoordinateSysParam"), source_,
+                            {{"wpml:heightMode"}, {}, true});
+    const std::string mode = system.word(
+        "wpml:heightMode",
+        {"EGM96", "relativeToStartPoint", "aboveGroundLevel", "realTimeFollowSurface"});
+    if (mode == "aboveGroundLevel") return;
+    const bool follows = wayline.heights == DjiHeights::above_surface;
+    if ((mode == "realTimeFollowSurface") == follows) return;
+    differ(system.child("wpml:heightMode"), "<wpml:heightMode> is another");
   }
 
   // Where both count from the same zero.

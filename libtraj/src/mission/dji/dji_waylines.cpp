@@ -169,7 +169,9 @@ class WaylinesReader {
                       : heights == "WGS84" ? DjiHeights::ellipsoid
                                            : DjiHeights::above_takeoff;
     const double usual = speed(folder, "wpml:autoFlightSpeed");
-    if (const XmlElement* start = folder.find("wpml:startActionGroup")) take_actions(*start);
+    if (const XmlElement* start = folder.find("wpml:startActionGroup")) {
+      wayline.hover_before = take_actions(*start);
+    }
     for (const XmlElement* placemark : folder.all("Placemark")) {
       const DjiWaypoint waypoint = read_waypoint(*placemark, usual, wayline.waypoints.size());
       wayline.waypoints.push_back(waypoint);

@@ -10,6 +10,7 @@
 #include "geom/base/error.h"
 #include "mission/flown/flown_regions.h"
 #include "mission_autopilots.h"
+#include "mission_clock.h"
 #include "mission_jumps.h"
 #include "mission_places.h"
 #include "mission_track.h"
@@ -56,6 +57,8 @@ class Flight {
       throw geom::InputError(source_, {.expected = "at least one waypoint", .found = "none"});
     }
     flown_.path_stray = kMissionStray;
+    flown_.least_seconds = clock_.seconds();
+    if (flown_.endless_jumps > 0) flown_.endless = "it jumps back for ever";
     flown_.counts_from_sea = places_.counts_from_sea();
     if (flown_.counts_from_sea) flown_.path_stray.z() += frame_.sea_error();
     say_home();
@@ -118,6 +121,9 @@ class Flight {
   // --- holds and turns ----------------------------------------------------------------------
 
   void go(const Vec3& p, double hold, Manoeuvre manoeuvre, const Turn& turn = {}) {
+    const Vec3 begin(p.x(), p.y(), places_.home().value_or(p.z()));
+    clock_.go(p - (path().empty() ? begin : path().back()));
+    clock_.wait(hold);
     track_.go(p, hold, {item_->number, manoeuvre}, turn);
   }
 
@@ -248,6 +254,7 @@ class Flight {
     const double radius = std::abs(item.param[2]);
     const Vec3 centre = place(item);
     flown_.ended = forever;
+    if (forever) flown_.endless = "it loiters without end";
     if (!(radius > 0)) {
       return forever ? go(centre, hold, Manoeuvre::hover)
                      : go_and_wait(centre, hold, Manoeuvre::hover, item);
@@ -301,6 +308,7 @@ class Flight {
     sweep(std::move(flight.entry), Manoeuvre::circle);
     for (Hull& arc : flight.arcs) sweep(std::move(arc), Manoeuvre::circle);
     for (const Vec3& p : flight.points) go(p, 0, Manoeuvre::circle);
+    clock_.turn(turns, way.radius);
     track_.leave_from(std::move(flight.leaving));
   }
 
@@ -354,6 +362,7 @@ class Flight {
     if (above != path().back()) go(above, 0, Manoeuvre::landing);
     flown_.ends.landing_on = ground.z();
     flown_.ended = true;
+    clock_.go(ground - above);
   }
 
   void return_home() {
@@ -379,6 +388,7 @@ class Flight {
     sweep_return(low, home, ground);
     go({end.x(), end.y(), z}, 0, Manoeuvre::return_home);
     go(home, 0, Manoeuvre::return_home);
+    clock_.go({0, 0, ground - home.z()});
     flown_.ends.landing_on = ground;
     for (const geom::GeodeticPlace& rally : mission_.rally) {
       const double to = ground + rally.height;
@@ -419,7 +429,12 @@ class Flight {
   // So long, or (0 or -1) to a time of day.
   void wait(const MissionItem& item) {
     if (path().empty()) return;
-    if (item.param[0] != -1) track_.stay(hold_of(item));
+    if (item.param[0] == -1) {
+      flown_.endless = "it waits until a time of day";
+    } else {
+      track_.stay(hold_of(item));
+      clock_.wait(hold_of(item));
+    }
     track_.leave_when_reached();
   }
 
@@ -428,11 +443,18 @@ class Flight {
     constexpr double kClimb = 2;  // the types of rates of climb and descent
     constexpr double kDescent = 3;
     const double speed = item.param[1];
-    if (item.param[0] == kClimb && speed > 0) most_climb_ = std::max(most_climb_, speed);
-    if (item.param[0] == kDescent && speed > 0) most_descent_ = std::max(most_descent_, speed);
+    if (item.param[0] == kClimb && speed > 0) {
+      most_climb_ = std::max(most_climb_, speed);
+      clock_.say_climb(speed);
+    }
+    if (item.param[0] == kDescent && speed > 0) {
+      most_descent_ = std::max(most_descent_, speed);
+      clock_.say_descent(speed);
+    }
     if (item.param[0] == kClimb || item.param[0] == kDescent) return;
     if (speed > 0) {
       track_.say_speed(speed);
+      clock_.say_speed(speed);
     } else if (speed != -1) {
       track_.say_no_speed();
     }
@@ -494,6 +516,7 @@ class Flight {
   double most_climb_ = 0;  // m/s that items ask for
   double most_descent_ = 0;
   FlownTrack track_;
+  MissionClock clock_{rules_.autopilots};
   FlownMavlink flown_;  // the track's parts when it is finished
 };
 

@@ -167,11 +167,11 @@ class Raising {
 
   // The time over flat ground, and the time in which the vehicle rises and sinks with the ground.
   void settle_time() {
+    double level = flown_.least_seconds;
     for (const Drift& drift : flown_.drift) {
-      if (drift.legs.empty()) continue;
-      flown_.seconds_over_terrain =
-          std::max(flown_.seconds_over_terrain, drift.legs.back().until + rise_ / slowest_rise_);
+      if (!drift.legs.empty()) level = std::max(level, drift.legs.back().until);
     }
+    flown_.least_seconds = level + rise_ / slowest_rise_;
   }
 
   // Points at the height where a return begins are as high or low as the terrain there may be.

@@ -24,7 +24,7 @@ bool counts_from_terrain(const Mission& mission, const MissionRules& rules,
 // known where that is above all heights at which it may begin (else FlownMission::returns). Sweeps
 // and drift are cut into pieces of some 25 m, and so is the path, which gets a band of heights
 // around it (FlownLegs::leg_band). The result has no times of legs and no velocities;
-// FlownMission::seconds_over_terrain estimates its whole time. Throws geom::InputError(source, …)
+// FlownMission::least_seconds estimates its whole time. Throws geom::InputError(source, …)
 // where the height model does not know the ground.
 FlownMavlink raised_over_terrain(FlownMavlink flat, const MissionRules& rules, double latitude,
                                  std::string_view source);

@@ -470,8 +470,8 @@ TEST(FlownDji, FollowsTheSurfaceWithinTheBandThatItsOperatorStates) {
   EXPECT_TRUE(flown.climb_holds_in_band);
   EXPECT_NEAR(flown.terrain->band, 12, 0.01);
   const double level = 100.06 / 9 + kEast / 4 + 1.5;
-  EXPECT_GT(flown.seconds_over_terrain, level + (20 + 5 + 7) / 6.0);
-  EXPECT_LT(flown.seconds_over_terrain, level + (20 + 5 + 15) / 6.0);
+  EXPECT_GT(flown.least_seconds, level + (20 + 5 + 7) / 6.0);
+  EXPECT_LT(flown.least_seconds, level + (20 + 5 + 15) / 6.0);
 }
 
 TEST(FlownDji, FollowsTheSurfaceOfAMapWhoseFirstAxisIsNorth) {

@@ -101,6 +101,19 @@ TEST(DjiTemplate, OtherHeightsAreComparedWhereTheyCountAlike) {
   EXPECT_EQ(refusal(folder("36")), "") << "one above the sea, one above the take-off";
 }
 
+TEST(DjiTemplate, FollowsTheSurfaceWhereTheWaylinesDo) {
+  const auto of = [](const char* heights) { return dji_template_folder(waypoints(), "", heights); };
+  const std::string other = ": <wpml:heightMode> is another" + kElsewhere;
+  const DjiMission follows = mission("realTimeFollowSurface");
+  EXPECT_EQ(refusal(of("realTimeFollowSurface"), follows), "");
+  EXPECT_EQ(refusal(of("aboveGroundLevel"), follows), "");
+  EXPECT_EQ(refusal(of("relativeToStartPoint"), follows), other);
+  EXPECT_EQ(refusal(of("EGM96"), follows), other);
+  EXPECT_EQ(refusal(of("realTimeFollowSurface")), other);
+  EXPECT_EQ(refusal(of("aboveGroundLevel")), "");
+  EXPECT_NE(refusal(of("foo")), "");
+}
+
 TEST(DjiTemplate, SaysTheTakeOffWhereTheWaylinesDoNot) {
   DjiMission made = mission();
   hold_against_template(parse_xml(in_kml(dji_config(dji_takeoff())), "t"), "t", made);

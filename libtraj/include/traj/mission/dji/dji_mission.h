@@ -51,6 +51,7 @@ struct DjiWayline {
   int template_id = 0;  // of what it was made of
   DjiHeights heights = DjiHeights::above_takeoff;
   std::vector<DjiWaypoint> waypoints;  // at least one
+  double hover_before = 0;             // s, at the first of them
 };
 
 // droneEnumValue and droneSubEnumValue.

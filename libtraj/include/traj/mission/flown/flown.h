@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -76,7 +77,9 @@ struct FlownMission : FlownLegs {
   // Of a mission with heights above terrain: each place above is a band of heights, and the
   // vehicle's height in it is not known at any instant.
   std::optional<TerrainClaim> terrain = {};
-  double seconds_over_terrain = 0;  // that such a mission takes, an estimate
+  double least_seconds = 0;     // that it takes, leg by leg; an estimate. 0: nobody knows
+  std::string endless = {};     // what of it takes as long as nobody knows; empty: nothing
+  bool returns_if_lost = true;  // when its link is lost; false where the file says otherwise
 };
 
 // How far a vehicle may be from the places that a mission says, along each axis: latitudes and

@@ -1,0 +1,33 @@
+#pragma once
+
+// How long a mission takes at least, leg by leg: an estimate, without what speeding up costs.
+
+#include <span>
+
+#include "traj/mission/firmware/autopilot.h"
+
+namespace traj {
+
+// The slowest of the autopilots counts wherever the file says no speed.
+class MissionClock {
+ public:
+  explicit MissionClock(std::span<const Autopilot> autopilots);
+
+  void say_speed(double speed) { speed_ = speed; }  // m/s, from here on; likewise
+  void say_climb(double speed) { climb_ = speed; }
+  void say_descent(double speed) { descent_ = speed; }
+
+  void go(const Vec3& way);
+  void wait(double seconds) { seconds_ += seconds; }
+  // At ArduPilot's default rate (CIRCLE_RATE) or the speed, whichever takes longer.
+  void turn(double turns, double radius);
+  double seconds() const { return seconds_; }
+
+ private:
+  double speed_;
+  double climb_;
+  double descent_;
+  double seconds_ = 0;
+};
+
+}  // namespace traj
