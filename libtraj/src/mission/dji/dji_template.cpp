@@ -147,9 +147,9 @@ class TemplateReader {
   void hold_height_mode(const WpmlFields& folder, const DjiWayline& wayline) const {
     const WpmlFields system(folder.child("wpml:waylineCoordinateSysParam"), source_,
                             {{"wpml:heightMode"}, {}, true});
-    const std::string mode = system.word(
-        "wpml:heightMode",
-        {"EGM96", "relativeToStartPoint", "aboveGroundLevel", "realTimeFollowSurface"});
+    const std::string mode =
+        system.word("wpml:heightMode",
+                    {"EGM96", "relativeToStartPoint", "aboveGroundLevel", "realTimeFollowSurface"});
     if (mode == "aboveGroundLevel") return;
     const bool follows = wayline.heights == DjiHeights::above_surface;
     if ((mode == "realTimeFollowSurface") == follows) return;
