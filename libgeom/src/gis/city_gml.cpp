@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "geom/base/error.h"
+#include "geom/import/building_height.h"
 #include "geom/text/text_table.h"
 #include "gml_drawing.h"
 #include "gml_frame.h"
@@ -204,9 +205,9 @@ class Reader : public XmlHandler {
     } else if (attribute && name == "name") {  // as CityGML 3.0 names it
       frame.reads = true;
     } else if (attribute && name == "value" && !parent.generic.empty() &&
-               parent.generic == height_attribute_) {
+               is_attribute(parent.generic, height_attribute_)) {
       frame.reads = true;
-      frame.generic = parent.generic;
+      frame.generic = height_attribute_;
     }
     if (frame.reads) frame.unit = unit_of(tag.attribute("uom"));
   }
@@ -367,7 +368,7 @@ class Reader : public XmlHandler {
     } else if (frame.name == "name") {
       parent.generic = value;
     } else {
-      object().attributes[frame.generic.empty() ? frame.name : frame.generic] = value;
+      add_value(value, object().attributes[frame.generic.empty() ? frame.name : frame.generic]);
     }
   }
 

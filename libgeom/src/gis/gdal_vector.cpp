@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <functional>
+#include <map>
 #include <sstream>
 
 #include "gdal_handles.h"
@@ -47,6 +49,7 @@ class VectorReader {
   void read_layer(OGRLayerH layer) {
     gdal().forget_errors();
     layer_ = gdal().layer_name(layer);
+    fields_.clear();
     out_.has_height_attribute |= gdal().layer_field_index(gdal().layer_definition(layer),
                                                           options_.height.attribute.c_str()) >= 0;
     if (!options_.where.empty() &&
@@ -78,14 +81,7 @@ class VectorReader {
       out_.skipped.add("feature without geometry", which_);
       return;
     }
-    const auto tag = [&](const char* key) -> std::string {
-      const int field = gdal().field_index(feature, key);
-      if (field < 0 || !gdal().is_field_set(feature, field)) return "";
-      if (gdal().field_subtype(gdal().field(feature, field)) == OFSTBoolean) {
-        return gdal().integer(feature, field) ? "true" : "false";  // no length of 1
-      }
-      return gdal().text(feature, field);
-    };
+    const auto tag = [&](const char* key) { return values_of(feature, key); };
     const std::size_t before = out_.footprints.size();
     BuildingHeight height;
     if (holds_surfaces(geometry)) {
@@ -98,6 +94,32 @@ class VectorReader {
     raise(before, height);
     if (out_.footprints.size() > before) count(feature, height);
     solid_ = false;
+  }
+
+  // Of all fields that are so called in any case: a file may have "height" beside "HEIGHT".
+  std::string values_of(OGRFeatureH feature, const char* key) {
+    std::string values;
+    for (const int field : fields_of(feature, key)) {
+      if (gdal().is_field_set(feature, field)) add_value(value_of(feature, field), values);
+    }
+    return values;
+  }
+
+  const std::vector<int>& fields_of(OGRFeatureH feature, const char* key) {
+    const auto known = fields_.find(key);
+    if (known != fields_.end()) return known->second;
+    std::vector<int>& fields = fields_[key];
+    for (int i = 0; i < gdal().field_count(feature); ++i) {
+      if (is_attribute(gdal().field_name(gdal().field(feature, i)), key)) fields.push_back(i);
+    }
+    return fields;
+  }
+
+  static std::string value_of(OGRFeatureH feature, int field) {
+    if (gdal().field_subtype(gdal().field(feature, field)) == OFSTBoolean) {
+      return gdal().integer(feature, field) ? "true" : "false";  // no length of 1
+    }
+    return gdal().text(feature, field);
   }
 
   // Where the height of a feature came from that became footprints.
@@ -237,6 +259,7 @@ class VectorReader {
   std::size_t features_ = 0;
   std::optional<double> unit_;  // of heights that name none, where it is clear
   std::string layer_;
+  std::map<std::string, std::vector<int>, std::less<>> fields_;  // of the layer, by what they tell
   std::string which_;           // the feature that is read
   std::vector<Levels> levels_;  // of its footprints
   bool solid_ = false;          // it has walls, so its corners tell how high it is

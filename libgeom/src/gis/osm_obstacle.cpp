@@ -7,6 +7,7 @@
 #include <cctype>
 #include <span>
 
+#include "geom/import/building_height.h"
 #include "geom/text/text_table.h"
 #include "import/written_height.h"
 
@@ -129,9 +130,7 @@ void OsmTags::add(std::string_view key, std::string_view value) {
 std::string OsmTags::text(std::string_view key) const {
   std::string out;
   for (const Tag& tag : tags_) {
-    if (tag.key != key) continue;
-    if (!out.empty()) out += ';';
-    out += tag.text;
+    if (is_attribute(tag.key, key)) add_value(tag.text, out);
   }
   return out;
 }

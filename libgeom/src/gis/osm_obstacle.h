@@ -16,7 +16,7 @@ class OsmTags {
   void add(std::string_view key, std::string_view value);
   bool empty() const { return tags_.empty(); }
 
-  // All values of a key as text, with semicolons between; empty where there is none.
+  // All values of a key, in any case, as text, with semicolons between; empty where there is none.
   std::string text(std::string_view key) const;
   std::vector<std::string> values(std::string_view key) const;
   bool has(std::string_view key, std::string_view value) const;

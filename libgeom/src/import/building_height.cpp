@@ -71,10 +71,10 @@ class Attributes {
       out_.asked = !trimmed(tag_(key)).empty();
       if (const auto top = known(length(key, parse_highest))) return top;
     }
-    for (const char* key : {"height", "building:height"}) {
-      if (const auto top = known(length(key, parse_highest))) return top;
-    }
-    return std::nullopt;
+    auto top = known(length("height", parse_highest));
+    const auto other = known(length("building:height", parse_highest));
+    if (other && !(top && *top >= *other)) top = other;
+    return top;
   }
 
   // The higher of what somebody estimated and what the storeys add up to.
@@ -124,6 +124,19 @@ class Attributes {
 };
 
 }  // namespace
+
+bool is_attribute(std::string_view name, std::string_view key) {
+  return std::equal(name.begin(), name.end(), key.begin(), key.end(),
+                    [](unsigned char a, unsigned char b) {
+                      return a == b || std::tolower(a) == std::tolower(b);
+                    });
+}
+
+void add_value(std::string_view value, std::string& list) {
+  if (trimmed(value).empty()) return;
+  if (!list.empty()) list += ';';
+  list += value;
+}
 
 BuildingHeight building_height(const std::function<std::string(const char*)>& tag,
                                const HeightOptions& options) {

@@ -213,8 +213,7 @@ class Builder {
           const std::string asked = key;
           std::string value = attribute(object, key);
           if (asked == "height") {
-            const std::string measured = attribute(object, "measuredHeight");
-            if (!measured.empty()) value = measured;
+            add_value(attribute(object, "measuredHeight"), value);
             if (value.empty()) value = attribute(object, "averageHeight");
           }
           if (asked == "building:levels" && value.empty()) {

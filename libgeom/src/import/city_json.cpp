@@ -12,6 +12,7 @@
 #include "geom/base/error.h"
 #include "geom/base/file_error.h"
 #include "geom/base/vec3.h"
+#include "geom/import/building_height.h"
 #include "geom/text/parse_json.h"
 #include "geom/text/text_table.h"
 
@@ -246,10 +247,11 @@ class Reader {
 
   static void read_attributes(const Json& attributes, CityObject& out) {
     if (!attributes.is_object()) return;
-    for (const char* key : kHeights) {
-      const auto at = attributes.find(key);
-      if (at == attributes.end() || at->is_null()) continue;
-      out.attributes[key] = at->is_string() ? at->get<std::string>() : at->dump();
+    for (const auto& [name, value] : attributes.items()) {
+      const auto key = std::find_if(std::begin(kHeights), std::end(kHeights),
+                                    [&](const char* height) { return is_attribute(name, height); });
+      if (key == std::end(kHeights) || value.is_null()) continue;
+      add_value(value.is_string() ? value.get<std::string>() : value.dump(), out.attributes[*key]);
     }
   }
 

@@ -178,7 +178,7 @@ std::vector<double> lengths_of(std::string_view text, double bare) {
   bool listed = false;
   for (auto one = list.rbegin(); one != list.rend(); ++one) {
     if (one->unit == 0 && unit > 0) {
-      if (listed && unit != 1) return {};  // "3;40 ft": three of what?
+      if (listed && unit != bare) return {};  // "3;40 ft": three of what?
       one->unit = unit;
     }
     unit = one->unit;

@@ -152,6 +152,21 @@ TEST(CityGml, KeepsHeightsWithTheirUnit) {
   EXPECT_EQ(read(text).model.objects[0].attributes.count("ridge"), 0u);
 }
 
+TEST(CityGml, KeepsAllHeightsOfOneName) {
+  const auto generic = [](const std::string& name, const std::string& value) {
+    return "<gen:measureAttribute name='" + name + "'><gen:value uom='m'>" + value +
+           "</gen:value></gen:measureAttribute>";
+  };
+  const std::string text =
+      document(member(building(generic("Ridge", "50") + generic("ridge", "7") +
+                               "<bldg:measuredHeight uom='m'>50</bldg:measuredHeight>"
+                               "<bldg:measuredHeight uom='m'>3</bldg:measuredHeight>" +
+                               lod(2, surfaces(polygon(kRoof))))));
+  const auto attributes = read(text, "RIDGE").model.objects[0].attributes;
+  EXPECT_EQ(attributes.at("RIDGE"), "50 m;7 m");
+  EXPECT_EQ(attributes.at("measuredHeight"), "50 m;3 m");
+}
+
 TEST(CityGml, PartsBelongToTheirBuilding) {
   const CityGml city =
       read(document(member(building("<bldg:consistsOfBuildingPart><bldg:BuildingPart>" +

@@ -46,6 +46,54 @@ TEST(ReadVector, CountsTheNamedAttributeOnASlope) {
   EXPECT_EQ(read_square(40, 47, R"("h_max":19)", options).footprints.at(0).top, 66);
 }
 
+// Fields whose names differ in their case alone are one attribute.
+TEST(ReadVector, TakesTheHighestOfFieldsOfOneName) {
+  const auto top = [](const std::string& properties) {
+    return read_square(0, 0, properties).footprints.at(0).top;
+  };
+  EXPECT_EQ(top(R"("HEIGHT":3,"height":50)"), 50);
+  EXPECT_EQ(top(R"("height":3,"HEIGHT":50)"), 50);
+  EXPECT_EQ(top(R"("height":3,"Building:Height":50)"), 50);
+  EXPECT_EQ(top(R"("Building:Levels":2,"building:levels":9)"), 27);
+  EXPECT_EQ(top(R"("HEIGHT":null,"height":50)"), 50);
+  EXPECT_EQ(top(R"("HEIGHT":"","height":50)"), 50);
+  const Source unread = read_square(0, 0, R"("HEIGHT":"tall","height":50)");
+  EXPECT_EQ(unread.skipped.count(), 1u);
+}
+
+TEST(ReadVector, TakesTheLowestBottomOfFieldsOfOneName) {
+  const Source source = read_square(0, 0, R"("height":50,"MIN_HEIGHT":9,"min_height":4)");
+  EXPECT_EQ(source.footprints.at(0).bottom, 4);
+}
+
+TEST(ReadVector, TakesTheNamedAttributeInAnyCase) {
+  ReadOptions options;
+  options.height.attribute = "H_max";
+  EXPECT_EQ(read_square(0, 0, R"("h_max":19,"H_MAX":31)", options).footprints.at(0).top, 31);
+}
+
+TEST(ReadVector, TakesWhicheverFieldAFeatureHas) {
+  const auto feature = [](const char* height) {
+    return fmt::format(R"({{"type":"Feature","properties":{{{}}},"geometry":{{"type":"Polygon",)"
+                       R"("coordinates":[[[0,0],[9,0],[9,9],[0,0]]]}}}})",
+                       height);
+  };
+  const Source source =
+      read_geojson(fmt::format(R"({{"type":"FeatureCollection","features":[{},{}]}})",
+                               feature(R"("Height":12)"), feature(R"("height":200)")),
+                   {});
+  EXPECT_EQ(source.footprints.at(0).top, 12);
+  EXPECT_EQ(source.footprints.at(1).top, 200);
+}
+
+TEST(ReadVector, TakesTheHighestOfColumnsOfOneName) {
+  const Source source = read_text("city.csv",
+                                  "WKT,height,height,Height\n"
+                                  "\"POLYGON((0 0,9 0,9 9,0 0))\",3,50,40\n",
+                                  {});
+  EXPECT_EQ(source.footprints.at(0).top, 50);
+}
+
 TEST(ReadVector, TellsTheDefaultOfASlopeWithoutAHeight) {
   const Source source = read_square(40, 47, R"("use":"flats")");
   EXPECT_EQ(source.footprints.at(0).top, 57);

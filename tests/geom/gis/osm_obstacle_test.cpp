@@ -95,6 +95,7 @@ TEST(OsmObstacle, HasATypeWhereItIsBuilt) {
 TEST(OsmTags, GiveTheTextsOfAKeyTogether) {
   const OsmTags both = tags({{"height", "5"}, {"construction:height", "40 m"}});
   EXPECT_EQ(both.text("height"), "5;40 m");
+  EXPECT_EQ(both.text("HEIGHT"), "5;40 m");
   EXPECT_EQ(both.text("name"), "");
 }
 

@@ -24,6 +24,24 @@ TEST(BuildingHeight, PrefersHeightOverStoreys) {
   EXPECT_EQ(h.from, HeightFrom::height);
 }
 
+TEST(BuildingHeight, TakesTheHigherOfTwoHeights) {
+  EXPECT_EQ(from({{"height", "20"}, {"building:height", "30"}}).top, 30);
+  EXPECT_EQ(from({{"height", "20"}, {"building:height", "9"}}).top, 20);
+}
+
+TEST(IsAttribute, MatchesInAnyCase) {
+  EXPECT_TRUE(is_attribute("HEIGHT", "height"));
+  EXPECT_TRUE(is_attribute("Building:Height", "building:height"));
+  EXPECT_FALSE(is_attribute("height_m", "height"));
+  EXPECT_FALSE(is_attribute("", "height"));
+}
+
+TEST(AddValue, MakesAListWithoutBlanks) {
+  std::string list;
+  for (const char* value : {"", "3", " ", "50 m"}) add_value(value, list);
+  EXPECT_EQ(list, "3;50 m");
+}
+
 TEST(BuildingHeight, CountsStoreysAndTheRoof) {
   EXPECT_EQ(from({{"building:levels", "3"}}).top, 9);
   EXPECT_EQ(from({{"building:levels", "3"}, {"roof:levels", "1"}}).top, 12);

@@ -99,6 +99,7 @@ TEST(CityFootprints, AFlatBuildingIsAsHighAsItsAttributesSay) {
   EXPECT_DOUBLE_EQ(top({{"measuredHeight", "6.5 m"}}), 106.5);
   EXPECT_DOUBLE_EQ(top({{"measuredHeight", "10 ft"}}), 103.048);
   EXPECT_DOUBLE_EQ(top({{"storeysAboveGround", "4"}}), 112);
+  EXPECT_DOUBLE_EQ(top({{"measuredHeight", "6.5"}, {"height", "20"}}), 120);
   EXPECT_DOUBLE_EQ(top({}), 110);
 }
 

@@ -33,6 +33,13 @@ constexpr const char* kTree =
     R"({"t":{"type":"SolitaryVegetationObject","geometry":[{"type":"GeometryInstance",)"
     R"("template":0,"boundaries":[6],"transformationMatrix":[2,0,0,1,0,2,0,0,0,0,3,0,0,0,0,1]}]}})";
 
+TEST(CityJson, TakesTheHighestOfAttributesOfOneName) {
+  const CityFootprints out = city(
+      R"({"B":{"type":"Building","attributes":{"MeasuredHeight":3,"measuredHeight":50},)"
+      R"("geometry":[{"type":"MultiSurface","lod":"0","boundaries":[[[0,1,2]]]}]}})");
+  EXPECT_EQ(out.footprints.at(0).top, 54);
+}
+
 TEST(CityJson, PlacesTemplates) {
   const CityFootprints tree =
       city(kTree, R"(,"geometry-templates":{"templates":[{"type":"MultiSurface",)"

@@ -67,6 +67,8 @@ TEST(ParseHighestAndLowest, ARangeHasOneUnit) {
   EXPECT_DOUBLE_EQ(*parse_highest("30-40 ft"), 40 * 0.3048);
   EXPECT_DOUBLE_EQ(*parse_lowest("30-40 ft"), 30 * 0.3048);
   EXPECT_FALSE(parse_highest("3;40 ft"));
+  EXPECT_FALSE(parse_lowest("40;30 m", 0.3048));
+  EXPECT_DOUBLE_EQ(*parse_highest("3;40 ft", 0.3048), 40 * 0.3048);
 }
 
 TEST(ParseHighestAndLowest, GiveNothingWhereAPartIsNotUnderstood) {

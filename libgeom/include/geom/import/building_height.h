@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 
 namespace geom {
 
@@ -33,7 +34,14 @@ struct BuildingHeight {
   bool asked = false;   // options.attribute was there
 };
 
-// From `height` or `building:height`; else the higher of `est_height` and of `building:levels` with
+// Whether a file's attribute `name` is the one called `key`: "HEIGHT" is "height".
+bool is_attribute(std::string_view name, std::string_view key);
+
+// Adds a value to those that an attribute has in a file, as in "3;50". building_height() takes of
+// such a list what makes the building largest. Blank values are passed over.
+void add_value(std::string_view value, std::string& list);
+
+// From the higher of `height` and `building:height`; else the higher of `est_height` and of `building:levels` with
 // roof:levels or roof:height; from `min_height` or `building:min_level` up. Heights of 0 and below
 // count as missing. A building whose bottom is above its top is as high as both together, from 0.
 // `tag` gives an attribute's text, empty where there is none.
