@@ -100,17 +100,19 @@ class Attributes {
     return !tag_("tower:type").empty();
   }
 
-  // Where it begins. One that would begin above its own top may be as high as both together: some
-  // give the height of a part from where the part begins. It is kept down to the ground.
+  // Where it begins: a number of storeys does not tell, because nobody knows how high they are.
+  // One that would begin above its own top may be as high as both together: some give the height of
+  // a part from where the part begins. It is kept down to the ground.
   void stand() {
-    auto bottom = length("min_height", parse_lowest);
+    const auto given = length("min_height", parse_lowest);
+    auto bottom = given;
     if (!bottom) {
       bottom = read("building:min_level", parse_lowest_level);
       if (bottom) *bottom *= options_.storey;
     }
     if (!bottom || !(*bottom > 0)) return;
     if (*bottom < out_.top) {
-      out_.bottom = *bottom;
+      if (given) out_.bottom = *bottom;
     } else {
       out_.junk = true;
       out_.top += *bottom;

@@ -59,11 +59,27 @@ TEST(BuildingHeight, FallsBackAndSaysSo) {
 
 TEST(BuildingHeight, StartsWhereItHangs) {
   EXPECT_EQ(from({{"height", "20"}, {"min_height", "5"}}).bottom, 5);
-  EXPECT_EQ(from({{"height", "20"}, {"building:min_level", "2"}}).bottom, 6);
-  EXPECT_EQ(from({{"height", "20"}, {"building:min_level", "-1"}}).bottom, 0);
-  EXPECT_EQ(from({{"height", "20"}, {"building:min_level", "1;2"}}).bottom, 3);
   EXPECT_EQ(from({{"height", "20;30"}, {"min_height", "5;4"}}).top, 30);
   EXPECT_EQ(from({{"height", "20;30"}, {"min_height", "5;4"}}).bottom, 4);
+}
+
+// Storeys of 2.5 m: a guess of 3 m would leave a slot above the part that ends at 12.5 m.
+TEST(BuildingHeight, StartsOnTheGroundWhereOnlyStoreysSayOtherwise) {
+  const BuildingHeight h =
+      from({{"height", "25"}, {"building:levels", "10"}, {"building:min_level", "5"}});
+  EXPECT_EQ(h.bottom, 0);
+  EXPECT_EQ(h.top, 25);
+  EXPECT_FALSE(h.junk);
+  EXPECT_EQ(from({{"building:levels", "10"}, {"building:min_level", "5"}}).bottom, 0);
+  EXPECT_EQ(from({{"height", "25"}, {"min_height", "9"}, {"building:min_level", "5"}}).bottom, 9);
+  EXPECT_EQ(from({{"height", "25"}, {"min_height", "?"}, {"building:min_level", "5"}}).bottom, 0);
+}
+
+TEST(BuildingHeight, IsAsHighAsBothTogetherWhereItsStoreysBeginAboveItsTop) {
+  const BuildingHeight h = from({{"height", "10"}, {"building:min_level", "4"}});
+  EXPECT_EQ(h.bottom, 0);
+  EXPECT_EQ(h.top, 22);
+  EXPECT_TRUE(h.junk);
 }
 
 // 20 m from 25 m up, as some mean it, or a slip: what it may be is in the map.
