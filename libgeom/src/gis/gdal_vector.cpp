@@ -260,9 +260,9 @@ class VectorReader {
   std::optional<double> unit_;  // of heights that name none, where it is clear
   std::string layer_;
   std::map<std::string, std::vector<int>, std::less<>> fields_;  // of the layer, by what they tell
-  std::string which_;           // the feature that is read
-  std::vector<Levels> levels_;  // of its footprints
-  bool solid_ = false;          // it has walls, so its corners tell how high it is
+  std::string which_;                                            // the feature that is read
+  std::vector<Levels> levels_;                                   // of its footprints
+  bool solid_ = false;  // it has walls, so its corners tell how high it is
   Source out_;
 };
 

@@ -41,11 +41,11 @@ bool is_attribute(std::string_view name, std::string_view key);
 // such a list what makes the building largest. Blank values are passed over.
 void add_value(std::string_view value, std::string& list);
 
-// From the higher of `height` and `building:height`; else the higher of `est_height` and of `building:levels` with
-// roof:levels or roof:height; from `min_height` up, else from 0. Heights of 0 and below count as
-// missing. A building whose bottom (`min_height`, or `building:min_level` storeys) is above its top
-// is as high as both together, from 0.
-// `tag` gives an attribute's text, empty where there is none.
+// From the higher of `height` and `building:height`; else the higher of `est_height` and of
+// `building:levels` with roof:levels or roof:height; from `min_height` up, else from 0. Heights of
+// 0 and below count as missing. A building whose bottom (`min_height`, or `building:min_level`
+// storeys) is above its top is as high as both together, from 0. `tag` gives an attribute's text,
+// empty where there is none.
 BuildingHeight building_height(const std::function<std::string(const char*)>& tag,
                                const HeightOptions& options);
 
