@@ -11,13 +11,13 @@
 #include <set>
 
 #include "geom/shape/aabb.h"
+#include "import/plan_gap.h"
 #include "import/written_height.h"
 
 namespace geom {
 namespace {
 
-constexpr double kLevelTo = 1e-3;     // metres: what rises by less is drawn flat
-constexpr double kPlanOfParts = 1.1;  // outlines of parts are drawn less finely, or more
+constexpr double kLevelTo = 1e-3;  // metres: what rises by less is drawn flat
 // What lies on the ground: without a geometry, nothing of it is known to be in the air.
 const std::set<std::string> kLevel = {"TINRelief",
                                       "LandUse",
@@ -47,7 +47,7 @@ struct Shape {
   bool roof_edges = true;  // all of them
   bool roofs = true;
   bool raised = false;  // drawn flat, and as high as something else says
-  std::vector<const CitySurface*> surfaces;
+  CitySurfaces surfaces;
   double low = std::numeric_limits<double>::infinity();  // metres
   double high = -std::numeric_limits<double>::infinity();
 };
@@ -156,20 +156,20 @@ class Builder {
   // What the parts of a whole have that is not flat.
   void note_part(const CityObject& object) {
     if (!object.is_part || object.left_out) return;
+    const Shape shape = chosen(object);
     Extent extent;
-    for (const CitySurface* surface : chosen(object).surfaces) extent.add(*surface);
+    for (const CitySurface* surface : shape.surfaces) extent.add(*surface);
     if (!extent.box || (extent.box->max.z() - extent.box->min.z()) * unit_ <= kLevelTo) return;
-    parts_[object.whole].add(extent);
+    CitySurfaces& parts = parts_[object.whole];
+    parts.insert(parts.end(), shape.surfaces.begin(), shape.surfaces.end());
   }
 
   // Whether the shape, drawn flat, is the plan of parts that stand on all of it: their roofs are
-  // its heights. Parts have their plan twice, as a floor and as roofs.
+  // its heights.
   bool is_plan_of_parts(const Shape& shape) const {
     const auto parts = parts_.find(shape.object->whole);
     if (shape.lod >= 1 || !shape.object->has_parts || parts == parts_.end()) return false;
-    Extent own;
-    for (const CitySurface* surface : shape.surfaces) own.add(*surface);
-    return !own.reaches_beyond(parts->second) && own.plan <= kPlanOfParts * parts->second.plan / 2;
+    return !has_gap(shape.surfaces, parts->second);
   }
 
   static Shape chosen(const CityObject& object) {
@@ -295,7 +295,7 @@ class Builder {
   const HeightOptions& options_;
   std::vector<Shape> shapes_;
   std::map<std::string, Whole> wholes_;
-  std::map<std::string, Extent> parts_;  // of wholes: what stands up of their parts
+  std::map<std::string, CitySurfaces> parts_;  // of wholes: what stands up of their parts
   CityFootprints out_;
 };
 

@@ -30,9 +30,8 @@ struct CityFootprints {
 // building that is drawn flat stands on that as high as `measuredHeight`, `height` or
 // `storeysAboveGround` say, or else `options.default_height`; a roof's edge alone is taken at
 // either end of that height. Others that are drawn flat reach up by their `height` or
-// `averageHeight`. A plan in level of detail 0 of an object whose parts stand on it has its heights
-// from them, and lies on the ground: where they reach over a quarter less of it, or together over a
-// tenth less, it needs a height of its own.
+// `averageHeight`. A plan in level of detail 0 of an object whose parts stand on all of it
+// (has_gap) has its heights from them, and lies on the ground; else it needs a height of its own.
 //
 // Objects that are left out (city_types.h) give nothing and are not skipped.
 //

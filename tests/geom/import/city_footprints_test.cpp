@@ -180,6 +180,16 @@ TEST(CityFootprints, APlanHasItsHeightFromThePartsThatStandOnIt) {
   }
 }
 
+TEST(CityFootprints, APlanHasItsMeasuredHeightWherePartsStandOnOneAnother) {
+  auto objects = plan_and_part(8);
+  objects[0].attributes["measuredHeight"] = "30";
+  objects.push_back(objects[1]);
+  objects.push_back(objects[1]);
+  const CityFootprints out = built(objects);
+  EXPECT_EQ(out.footprints.at(0).top, 31);
+  EXPECT_EQ(built({objects[0], plan_and_part(9.1)[1]}).footprints.at(0).top, 31);
+}
+
 // A wing that no part stands on may be as high as any.
 TEST(CityFootprints, APlanThatPartsDoNotFillNeedsAHeight) {
   EXPECT_EQ(built(plan_and_part(8)).heights.size(), 1u);
