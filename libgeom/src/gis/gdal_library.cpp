@@ -63,6 +63,7 @@ GdalLibrary load() {
           .is_local = SKYWAY_FUNCTION(library, OSRIsLocal),
           .is_vertical = SKYWAY_FUNCTION(library, OSRIsVertical),
           .linear_unit = SKYWAY_FUNCTION(library, OSRGetLinearUnits),
+          .angular_unit = SKYWAY_FUNCTION(library, OSRGetAngularUnits),
           .linear_unit_of = SKYWAY_FUNCTION(library, OSRGetTargetLinearUnits),
           .area_of_use = SKYWAY_FUNCTION(library, OSRGetAreaOfUse),
           .has_latitude_first = SKYWAY_FUNCTION(library, OSREPSGTreatsAsLatLong),

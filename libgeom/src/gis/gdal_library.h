@@ -68,6 +68,7 @@ struct GdalLibrary {
   decltype(&OSRIsLocal) is_local;
   decltype(&OSRIsVertical) is_vertical;
   decltype(&OSRGetLinearUnits) linear_unit;
+  decltype(&OSRGetAngularUnits) angular_unit;
   decltype(&OSRGetTargetLinearUnits) linear_unit_of;
   decltype(&OSRGetAreaOfUse) area_of_use;
   decltype(&OSREPSGTreatsAsLatLong) has_latitude_first;

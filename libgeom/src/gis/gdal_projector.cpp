@@ -152,6 +152,9 @@ Projector::Projector(Source& source, const std::string& name, const std::optiona
     at = {origin->y(), origin->x()};
     require_near(at, middle, name, source.warnings);
   }
+  if (gdal().is_geographic(from.get())) {
+    turn_ = 2 * M_PI / gdal().angular_unit(from.get(), nullptr);
+  }
   const std::string local = plane_about(at);
   transformation_->to_local = conversion(from, reference_named(local, name));
   if (!transformation_->to_local) {

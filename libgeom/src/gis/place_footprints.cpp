@@ -6,6 +6,7 @@
 #include <array>
 #include <span>
 
+#include "edge_follower.h"
 #include "geom/base/error.h"
 
 namespace geom::gis {
@@ -63,13 +64,15 @@ class Corners {
     }
   }
 
-  // Puts them back, converted.
-  void place(std::span<const Vec2> all, double slack) const {
+  // Puts them back, converted; `source`: as they were.
+  void place(std::span<const Vec2> all, std::span<const Vec2> source, double slack,
+             EdgeFollower& edges) const {
     if (!ends_) {
       std::size_t next = first_;
       for_each_ring([&](auto& ring) {
         for (Vec2& p : ring) p = all[next++];
       });
+      edges.take(*footprint_, source.subspan(first_, next - first_));
       return;
     }
     const auto& ends = *ends_;
@@ -104,8 +107,11 @@ void project(Source& source, const Projector& projector, double slack) {
   for (std::size_t i = 0; i < source.footprints.size(); ++i) {
     taken.emplace_back(source.footprints[i], source.grid, all);
     if (all.size() < kTogether && i + 1 < source.footprints.size()) continue;
+    const std::vector<Vec2> corners_before = all;
     projector.convert(all);
-    for (const Corners& corners : taken) corners.place(all, slack);
+    EdgeFollower edges(projector);
+    for (const Corners& corners : taken) corners.place(all, corners_before, slack, edges);
+    edges.follow();
     all.clear();
     taken.clear();
   }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -159,6 +160,89 @@ TEST(Project, SidesOfManyCellsStayStraightOnlyWhereTheyAre) {
   EXPECT_EQ(large.footprints[0].polygon.outer.size(), 4u);
   EXPECT_EQ(large.footprints[2].polygon.outer.size(), 82u);
   EXPECT_EQ(large.footprints[2].bulge, 0);
+}
+
+// A rectangle between two corners of degrees or metres.
+Source rectangle_of(const std::string& crs, const geom::Vec2& low, const geom::Vec2& high) {
+  Source out;
+  out.crs = crs;
+  geom::Footprint& f = out.footprints.emplace_back();
+  f.top = 10;
+  f.polygon.outer = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+  return out;
+}
+
+double distance_to_edge(const geom::Vec2& p, const geom::Vec2& a, const geom::Vec2& b) {
+  const double t = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+  return (a + t * (b - a) - p).norm();
+}
+
+// The most that a point of the source's southern edge is outside the rectangle on the map.
+double furthest_outside(const Source& source) {
+  const geom::Vec2 west = source.footprints[0].polygon.outer[0];
+  const geom::Vec2 east = source.footprints[0].polygon.outer[1];
+  Source map = source;
+  const Projector projector(map, "t.geojson", std::nullopt, false);
+  project(map, projector, 0.5);
+  std::vector<geom::Vec2> points;
+  for (int i = 0; i <= 5000; ++i) points.emplace_back(west + (east - west) * (i / 5000.0));
+  projector.convert(points);
+  const auto& ring = map.footprints[0].polygon.outer;
+  double furthest = 0;
+  for (const geom::Vec2& p : points) {
+    double away = 1e9;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      away = std::min(away, distance_to_edge(p, ring[i], ring[(i + 1) % ring.size()]));
+    }
+    furthest = std::max(furthest, away);
+  }
+  return furthest;
+}
+
+TEST(Project, FollowsEdgesThatAreStraightInTheSource) {
+  const auto degrees = [](double length) {
+    return rectangle_of("EPSG:4326", {10, 60}, {10 + length / 55800, 60.0005});
+  };
+  for (const double length : {20.0, 60.0, 200.0, 1000.0, 10000.0}) {
+    EXPECT_LE(furthest_outside(degrees(length)), 1e-4) << length;
+  }
+  EXPECT_LE(furthest_outside(rectangle_of("EPSG:3857", {1.1e6, 8.4e6}, {1.11e6, 8.4001e6})), 1e-4);
+  EXPECT_LE(furthest_outside(rectangle_of("EPSG:32633", {7e5, 5e6}, {7.4e5, 5.0001e6})), 1e-4);
+  EXPECT_LE(furthest_outside(rectangle_of("EPSG:4326", {-10, -1}, {-9.9, 1})), 1e-4);
+}
+
+TEST(Project, AddsNoCornersToHouses) {
+  const auto corners = [](const Source& source) {
+    return projected(source, 0.5).footprints[0].polygon.outer.size();
+  };
+  EXPECT_EQ(corners(rectangle_of("EPSG:4326", {10, 60}, {10.0004, 60.0004})), 4u);
+  EXPECT_EQ(corners(rectangle_of("EPSG:32633", {7e5, 5e6}, {7.002e5, 5.0002e6})), 4u);
+  EXPECT_LT(corners(rectangle_of("EPSG:4326", {10, 60}, {10.1, 60.0001})), 250u);
+}
+
+// A roof that rises to the east, and a wall beside it, which goes the other way.
+TEST(Project, KeepsARoofOnItsEdges) {
+  Source source = rectangle_of("EPSG:4326", {10, 60}, {10.1, 60.0005});
+  source.footprints[0].heights = {10, 30, 30, 10};
+  source.footprints[0].top = 30;
+  geom::Footprint wall = source.footprints[0];
+  wall.polygon.outer = {{10.1, 60}, {10, 60}, {10, 60}, {10.1, 60}};
+  wall.heights = {30, 10, 0, 0};
+  source.footprints.push_back(wall);
+  const Source map = projected(source, 0.5);
+  const auto& roof = map.footprints[0];
+  ASSERT_EQ(roof.heights.size(), roof.polygon.outer.size());
+  const std::size_t bends = roof.polygon.outer.size() / 2 - 2;
+  for (std::size_t i = 0; i <= bends + 1; ++i) {
+    EXPECT_NEAR(roof.heights[i], 10 + 20.0 * i / (bends + 1), 1e-9);
+    EXPECT_EQ(map.footprints[1].polygon.outer[bends + 1 - i], roof.polygon.outer[i]);
+  }
+}
+
+TEST(Project, EdgesGoTheShortWayAroundTheEarth) {
+  const Source map = projected(rectangle_of("EPSG:4326", {179.999, 60}, {-179.999, 60.0005}), 0.5);
+  const auto& ring = map.footprints[0].polygon.outer;
+  for (const geom::Vec2& p : ring) EXPECT_LT((p - ring[0]).norm(), 130);
 }
 
 // The same bits come out whether a point is converted alone or among others.

@@ -201,10 +201,14 @@ class Projector {
   void convert(std::vector<Vec2>& points) const;
   const Frame& frame() const { return frame_; }
 
+  // How much x grows once around the Earth, where it is a longitude; else 0.
+  double turn() const { return turn_; }
+
  private:
   struct Transformation;
   std::string name_;
   Frame frame_;
+  double turn_ = 0;
   std::unique_ptr<Transformation> transformation_;
 };
 
