@@ -112,6 +112,7 @@ GdalLibrary load() {
           .is_subclass = SKYWAY_FUNCTION(library, OGR_GT_IsSubClassOf),
           .type_name = SKYWAY_FUNCTION(library, OGRGeometryTypeToName),
           .is_empty = SKYWAY_FUNCTION(library, OGR_G_IsEmpty),
+          .has_arcs = SKYWAY_FUNCTION(library, OGR_G_HasCurveGeometry),
           .is_3d = SKYWAY_FUNCTION(library, OGR_G_Is3D),
           .envelope = SKYWAY_FUNCTION(library, OGR_G_GetEnvelope3D),
           .without_arcs = SKYWAY_FUNCTION(library, OGR_G_GetLinearGeometry),

@@ -117,6 +117,7 @@ struct GdalLibrary {
   decltype(&OGR_GT_IsSubClassOf) is_subclass;
   decltype(&OGRGeometryTypeToName) type_name;
   decltype(&OGR_G_IsEmpty) is_empty;
+  decltype(&OGR_G_HasCurveGeometry) has_arcs;
   decltype(&OGR_G_Is3D) is_3d;
   decltype(&OGR_G_GetEnvelope3D) envelope;
   decltype(&OGR_G_GetLinearGeometry) without_arcs;

@@ -5,6 +5,7 @@
 #include <map>
 #include <sstream>
 
+#include "gdal_arcs.h"
 #include "gdal_handles.h"
 #include "gdal_whole.h"
 #include "geom/gis/footprint_source.h"
@@ -14,8 +15,6 @@
 
 namespace geom::gis {
 namespace {
-
-constexpr double kDegreesOfArc = 0.5;  // its chord lies 1e-5 of the radius within the arc
 
 class VectorReader {
  public:
@@ -165,6 +164,7 @@ class VectorReader {
       out_.skipped.add(gdal().type_name(kind), which_);
       return;
     }
+    const double gap = gap_of_chords(geometry);
     for (int i = 0; i < gdal().part_count(polygons.get()); ++i) {
       const OGRGeometryH polygon = gdal().part_of(polygons.get(), i);
       if (gdal().is_empty(polygon)) {
@@ -175,6 +175,7 @@ class VectorReader {
       f.id = id;
       f.bottom = height.bottom;
       f.top = height.top;
+      f.bulge = gap;
       for (int k = 0; k < gdal().part_count(polygon); ++k) {
         (k == 0 ? f.polygon.outer : f.polygon.holes.emplace_back()) =
             points_of(gdal().part_of(polygon, k), f.id);

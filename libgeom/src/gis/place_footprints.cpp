@@ -98,6 +98,18 @@ class Corners {
   std::optional<std::array<std::size_t, 4>> ends_;  // of the sides of a rectangle of cells
 };
 
+// The bulge of a footprint in the source's units, as metres on the map: nowhere less.
+double bulge_on_map(const Footprint& f, const Projector& projector) {
+  if (projector.frame().crs.empty()) return f.bulge;
+  const Reach reach(f.polygon.outer);
+  const double step = (reach.high - reach.low).maxCoeff() / 100;
+  const Vec2& at = f.polygon.outer.front();
+  std::vector<Vec2> points{at, at + Vec2(step, 0), at + Vec2(0, step)};
+  projector.convert(points);
+  const double metres = std::hypot((points[1] - points[0]).norm(), (points[2] - points[0]).norm());
+  return 1.01 * metres / step * f.bulge;  // scales differ little within a footprint
+}
+
 }  // namespace
 
 void project(Source& source, const Projector& projector, double slack) {
@@ -105,7 +117,9 @@ void project(Source& source, const Projector& projector, double slack) {
   std::vector<Vec2> all;
   std::vector<Corners> taken;
   for (std::size_t i = 0; i < source.footprints.size(); ++i) {
-    taken.emplace_back(source.footprints[i], source.grid, all);
+    Footprint& f = source.footprints[i];
+    if (f.bulge > 0) f.bulge = bulge_on_map(f, projector);
+    taken.emplace_back(f, source.grid, all);
     if (all.size() < kTogether && i + 1 < source.footprints.size()) continue;
     const std::vector<Vec2> corners_before = all;
     projector.convert(all);

@@ -137,6 +137,31 @@ TEST(ReadVector, SkipsATowerWithoutAHeight) {
   EXPECT_TRUE(read_square(0, 0, R"("man_made":"tower","height":80)").skipped.empty());
 }
 
+// Chords of arcs leave out what is between them and the arc.
+TEST(ReadVector, HoldsArcsWithinTheBulge) {
+  const auto read = [](const std::string& wkt) {
+    return read_text("city.csv", "WKT,height\n\"" + wkt + "\",9\n", {}).footprints.at(0);
+  };
+  const Footprint circle =
+      read("CURVEPOLYGON(CIRCULARSTRING(1000 0,0 1000,-1000 0,0 -1000,1000 0))");
+  double gap = 0;
+  const auto& ring = circle.polygon.outer;
+  for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
+    gap = std::max(gap, 1000 - (0.5 * (ring[i] + ring[i + 1])).norm());
+  }
+  EXPECT_GT(gap, 0.005);
+  EXPECT_LE(gap, circle.bulge);
+  EXPECT_LT(circle.bulge, 0.04);
+  EXPECT_DOUBLE_EQ(read("CURVEPOLYGON(CIRCULARSTRING(-1000 0,1000 0,-1000 0))").bulge,
+                   circle.bulge);
+  const double flat =
+      read("CURVEPOLYGON(COMPOUNDCURVE(CIRCULARSTRING(0 0,50 0.01,100 0),(100 0,50 90,0 0)))")
+          .bulge;
+  EXPECT_GE(flat, 0.0099);
+  EXPECT_LE(flat, 0.0101);
+  EXPECT_EQ(read("POLYGON((0 0,9 0,9 9,0 0))").bulge, 0);
+}
+
 TEST(RequireAttribute, RefusesANameThatNothingHas) {
   ReadOptions options;
   options.height.attribute = "h_max";

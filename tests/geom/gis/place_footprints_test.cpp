@@ -220,6 +220,17 @@ TEST(Project, AddsNoCornersToHouses) {
   EXPECT_LT(corners(rectangle_of("EPSG:4326", {10, 60}, {10.1, 60.0001})), 250u);
 }
 
+TEST(Project, BringsABulgeToTheMap) {
+  Source degrees = rectangle_of("EPSG:4326", {10, 60}, {10.0004, 60.0004});
+  degrees.footprints[0].bulge = 1e-7;
+  const double bulge = projected(degrees, 0.5).footprints[0].bulge;
+  EXPECT_GE(bulge, 1e-7 * 111400);
+  EXPECT_LE(bulge, 1e-7 * 130000);
+  Source metres = rectangle_of("", {0, 0}, {20, 10});
+  metres.footprints[0].bulge = 0.01;
+  EXPECT_EQ(projected(metres, 0.5).footprints[0].bulge, 0.01);
+}
+
 // A roof that rises to the east, and a wall beside it, which goes the other way.
 TEST(Project, KeepsARoofOnItsEdges) {
   Source source = rectangle_of("EPSG:4326", {10, 60}, {10.1, 60.0005});
