@@ -123,6 +123,13 @@ std::optional<double> take_inches(Reader& reader, bool marked) {
   return *inches * kInch;
 }
 
+// Whether "-11" follows feet, and no unit follows it: inches, or another length.
+bool is_at_bare_inches(Reader reader) {
+  if (!reader.take_one_of({"-", "\u2013", "\u2014"})) return false;
+  const auto number = decimal(reader.take_digits());
+  return number && *number < 12 && (reader.done() || reader.take_separator());
+}
+
 // One value of a list; its metres are known once its unit is.
 struct Length {
   std::string_view digits;
@@ -156,7 +163,12 @@ std::optional<Length> take_length(Reader& reader) {
   if (out.digits.empty()) return std::nullopt;
   const bool marked = !Reader(reader).take("''") && reader.take_one_of({"'", "\u2032", "\u2019"});
   out.unit = marked ? kFoot : take_unit(reader);
-  if (out.unit == kFoot) out.inches = take_inches(reader, marked).value_or(0);
+  if (out.unit != kFoot) return out;
+  if (const auto inches = take_inches(reader, marked)) {
+    out.inches = *inches;
+  } else if (is_at_bare_inches(reader)) {
+    return std::nullopt;
+  }
   return out;
 }
 

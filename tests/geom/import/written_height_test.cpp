@@ -71,6 +71,18 @@ TEST(ParseHighestAndLowest, ARangeHasOneUnit) {
   EXPECT_DOUBLE_EQ(*parse_highest("3;40 ft", 0.3048), 40 * 0.3048);
 }
 
+// "100'-11" may be 100 ft 11 in, or a range.
+TEST(ParseHighestAndLowest, GiveNothingOfFeetAndANumberThatMayBeInches) {
+  for (const char* text : {"100'-11", "100'-11;3", "100 ft-11", "100' - 5.5", "100'–11"}) {
+    EXPECT_FALSE(parse_highest(text)) << text;
+    EXPECT_FALSE(parse_lowest(text)) << text;
+  }
+  EXPECT_DOUBLE_EQ(*parse_highest("100'-11\""), 100 * 0.3048 + 11 * 0.0254);
+  EXPECT_DOUBLE_EQ(*parse_highest("10'-11'"), 11 * 0.3048);
+  EXPECT_DOUBLE_EQ(*parse_highest("10'-11 m"), 11);
+  EXPECT_EQ(parse_highest("30'-40"), 40);
+}
+
 TEST(ParseHighestAndLowest, GiveNothingWhereAPartIsNotUnderstood) {
   for (const char* text : {"tall", "tall; 40", "3;?", "", "10-20 storeys", "12;18 floors", "3;"}) {
     EXPECT_FALSE(parse_highest(text)) << text;
