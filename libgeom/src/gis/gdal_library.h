@@ -45,6 +45,9 @@ struct GdalLibrary {
   decltype(&GDALGetRasterCount) raster_count;
   decltype(&GDALGetRasterBand) raster_band;
   decltype(&GDALRasterIO) raster_io;
+  decltype(&GDALGetMaskFlags) mask_flags;
+  decltype(&GDALGetMaskBand) mask_of;
+  decltype(&GDALGetRasterColorInterpretation) colour_meaning;
   decltype(&GDALGetRasterNoDataValue) no_data;
   decltype(&GDALSetRasterNoDataValue) set_no_data;
   decltype(&GDALGetRasterDataType) data_type;

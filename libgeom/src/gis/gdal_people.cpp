@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "gdal_cells.h"
 #include "gdal_handles.h"
 #include "geom/gis/people_raster.h"
 
@@ -16,13 +17,10 @@ constexpr int kSteps = 8;  // along each side of the region, for sides that bend
 // A raster with its places.
 class Raster {
  public:
-  explicit Raster(const std::string& path)
-      : path_(path),
-        dataset_(gdal().open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr,
-                             nullptr)) {
-    if (!dataset_ || gdal().raster_count(dataset_.get()) != 1) {
+  explicit Raster(const std::string& path) : path_(path), dataset_(opened(path, GDAL_OF_RASTER)) {
+    if (!dataset_ || number_bands(dataset_) != 1) {
       refuse({.expected = "a raster of one band that counts people, as a GeoTIFF",
-              .found = dataset_ ? fmt::format("{} bands", gdal().raster_count(dataset_.get()))
+              .found = dataset_ ? fmt::format("{} bands", number_bands(dataset_))
                                 : "a file that GDAL cannot open as one"});
     }
     const OGRSpatialReferenceH reference = gdal().spatial_reference(dataset_.get());
@@ -81,9 +79,8 @@ class Raster {
     if (at.columns <= 0 || at.rows <= 0) return out;
     std::vector<double> values(static_cast<std::size_t>(at.columns) *
                                static_cast<std::size_t>(at.rows));
-    const GDALRasterBandH band = gdal().raster_band(dataset_.get(), 1);
-    if (gdal().raster_io(band, GF_Read, at.column, at.row, at.columns, at.rows, values.data(),
-                         at.columns, at.rows, GDT_Float64, 0, 0) != CE_None) {
+    const RasterCells cells(dataset_, path_, path_);
+    if (!cells.read(at.column, at.row, at.columns, at.rows, values.data())) {
       refuse({.says = fmt::format("its cells cannot be read (GDAL: {})", gdal().last_error())});
     }
     const std::vector<GeodeticPlace> nodes = places(at);
@@ -95,8 +92,7 @@ class Raster {
         PeopleCell& cell = out.emplace_back();
         cell.row = static_cast<std::size_t>(at.row + row);
         cell.column = static_cast<std::size_t>(at.column + column);
-        cell.people =
-            people(band, values[static_cast<std::size_t>(row * at.columns + column)], cell);
+        cell.people = people(values[static_cast<std::size_t>(row * at.columns + column)], cell);
         cell.corners = {node(column, row), node(column + 1, row), node(column + 1, row + 1),
                         node(column, row + 1)};
       }
@@ -134,14 +130,8 @@ class Raster {
     return out;
   }
 
-  std::optional<double> people(GDALRasterBandH band, double value, const PeopleCell& cell) const {
-    int has_none = 0;
-    double none = gdal().no_data(band, &has_none);
-    if (gdal().data_type(band) == GDT_Float32) none = static_cast<float>(none);
-    if (std::isnan(value) || (has_none && value == none)) return std::nullopt;
-    int scaled = 0;
-    const double scale = gdal().raster_scale(band, &scaled);
-    const double people = value * (scaled ? scale : 1) + gdal().raster_offset(band, nullptr);
+  std::optional<double> people(double people, const PeopleCell& cell) const {
+    if (std::isnan(people)) return std::nullopt;
     if (people >= 0 && people <= 1e9) return people;
     refuse({.item = fmt::format("row {}, column {}", cell.row, cell.column),
             .expected = "a number of people, 0 or more",

@@ -4,6 +4,7 @@
 #include <map>
 #include <span>
 
+#include "gdal_cells.h"
 #include "gdal_handles.h"
 #include "gdal_whole.h"
 #include "geom/gis/footprint_source.h"
@@ -19,30 +20,23 @@ constexpr double kHighest = 1e4;        // metres
 
 struct Raster {
   DatasetHandle dataset;
-  GDALRasterBandH band = nullptr;
+  std::optional<RasterCells> cells;
   CellGrid grid;
   std::string crs;
   int width = 0;
   int height = 0;
-  double scale = 1;  // of the numbers in the file
-  double offset = 0;
-  double metres = 1;  // per unit of the band
+  double metres = 1;  // per unit of the numbers
 
   // A row's heights in metres; NaN where there is no data.
   void read_row(int row, const std::string& name, double* out) const {
-    if (gdal().raster_io(band, GF_Read, 0, row, width, 1, out, width, 1, GDT_Float64, 0, 0) !=
-        CE_None) {
+    if (!cells->read(0, row, width, 1, out)) {
       throw InputError(name, {.says = fmt::format("row {} of heights cannot be read (GDAL: {})",
                                                   row, gdal().last_error()),
                               .advice = "the file is damaged or cut, get it again"});
     }
-    int has_nodata = 0;
-    double nodata = gdal().no_data(band, &has_nodata);
-    if (gdal().data_type(band) == GDT_Float32) nodata = static_cast<float>(nodata);
     for (int i = 0; i < width; ++i) {
-      const bool missing = (has_nodata && out[i] == nodata) || std::isnan(out[i]);
-      out[i] = (out[i] * scale + offset) * metres;
-      if (!missing && out[i] > kHighest) {
+      out[i] *= metres;
+      if (out[i] > kHighest) {
         throw InputError(name, {.item = fmt::format("row {}, column {}", row, i),
                                 .expected = fmt::format("a height of at most {} m", kHighest),
                                 .found = fmt::to_string(out[i]),
@@ -50,7 +44,7 @@ struct Raster {
                                           "-a_nodata`), or what the unit is (--height-units)"});
       }
       // What is said to lie deeper than any place on Earth is a value for none.
-      if (missing || out[i] < -kHighest) out[i] = std::numeric_limits<double>::quiet_NaN();
+      if (out[i] < -kHighest) out[i] = std::numeric_limits<double>::quiet_NaN();
     }
   }
 };
@@ -104,13 +98,16 @@ Raster open_raster(const std::string& path, const std::string& name, const ReadO
     throw InputError(name, {.expected = "a raster of heights, as a GeoTIFF",
                             .found = "a file that GDAL cannot open as one"});
   }
-  if (gdal().raster_count(dataset) > 1) {
-    throw InputError(
-        name, {.expected = "one band of heights",
-               .found = fmt::to_string(gdal().raster_count(dataset)),
-               .advice = "choose one, for example with `gdal_translate -b 1 in.tif out.tif`"});
+  if (const int bands = number_bands(raster.dataset); bands != 1) {
+    const int all = gdal().raster_count(dataset);
+    throw InputError(name,
+                     {.expected = "one band of heights",
+                      .found = fmt::to_string(bands),
+                      .advice = fmt::format(
+                          "choose one, for example with `gdal_translate -b 1{} in.tif out.tif`",
+                          all > bands ? fmt::format(" -mask {}", all) : "")});
   }
-  raster.band = gdal().raster_band(dataset, 1);
+  raster.cells.emplace(raster.dataset, path, name);
   raster.width = gdal().raster_width(dataset);
   raster.height = gdal().raster_height(dataset);
   if (static_cast<double>(raster.width) * raster.height > kMostCells) {
@@ -123,10 +120,8 @@ Raster open_raster(const std::string& path, const std::string& name, const ReadO
                       .found = "one that does not",
                       .advice = "give it a place, for example with `gdal_translate -a_ullr`"});
   }
-  raster.scale = gdal().raster_scale(raster.band, nullptr);
-  raster.offset = gdal().raster_offset(raster.band, nullptr);
   raster.crs = text_of(gdal().spatial_reference(dataset), name);
-  raster.metres = metres_per_unit(raster.band, raster.crs, name, options);
+  raster.metres = metres_per_unit(raster.cells->band(), raster.crs, name, options);
   return raster;
 }
 
