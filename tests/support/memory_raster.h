@@ -18,7 +18,7 @@ struct MemoryRasterSpec {
   int rows = 4;
   std::function<double(int column, int row)> cell = [](int, int) { return 0.0; };
   std::vector<double> transform = {500000, 5, 0, 5500020, 0, -5};
-  int epsg = 32632;
+  int epsg = 32632;  // 0: none
   int bands = 1;  // each with the same cells
 };
 
@@ -36,8 +36,10 @@ class MemoryRaster {
     std::vector<double> transform = spec.transform;
     made->SetGeoTransform(transform.data());
     OGRSpatialReference reference;
-    reference.importFromEPSG(spec.epsg);
-    made->SetSpatialRef(&reference);
+    if (spec.epsg > 0) {
+      reference.importFromEPSG(spec.epsg);
+      made->SetSpatialRef(&reference);
+    }
     for (int band = 1; band <= spec.bands; ++band) {
       fill(*made->GetRasterBand(band), spec.cell);
     }

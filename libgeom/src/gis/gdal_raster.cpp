@@ -227,6 +227,35 @@ class SurfaceReader {
   Source out_;
 };
 
+// Places along the sides of a rectangle, which bend in other coordinates.
+std::vector<Vec2> around_rectangle(const Vec2& low, const Vec2& high) {
+  constexpr int kSteps = 8;  // a side
+  std::vector<Vec2> out;
+  for (int i = 0; i <= kSteps; ++i) {
+    const Vec2 p = low + (high - low) * i / kSteps;
+    for (const double y : {low.y(), high.y()}) out.emplace_back(p.x(), y);
+    for (const double x : {low.x(), high.x()}) out.emplace_back(x, p.y());
+  }
+  return out;
+}
+
+// Columns or rows, the last one excluded.
+struct Span {
+  int first;
+  int last;
+};
+
+// Those of `n` that an interval reaches into; those below 0 and from `n` on are outside. What lies
+// along the edge between two, as a wall may, is in either of them.
+std::vector<Span> touched(double low, double high, int n) {
+  constexpr double kAside = 0.01;  // cells: far more than numbers round
+  const auto bounded = [&](double v) { return static_cast<int>(std::clamp(v, -2.0, n + 2.0)); };
+  const int first = bounded(std::floor(low + kAside));
+  const int last = bounded(std::ceil(high - kAside));
+  if (first < last) return {{first, last}};
+  return {{first - 1, first}, {first, first + 1}};
+}
+
 }  // namespace
 
 bool is_raster(const std::string& path) {
@@ -259,6 +288,11 @@ Terrain::Terrain(const std::string& path, const std::string& name, const ReadOpt
   }
 }
 
+double Terrain::at(int column, int row) const {
+  return cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
+                static_cast<std::size_t>(column)];
+}
+
 std::optional<Terrain::Range> Terrain::surface(std::span<const Vec2> around) const {
   constexpr double kAside = 0.01;  // cells: far more than straight sides bulge and numbers round
   double inverse[6];
@@ -285,8 +319,7 @@ std::optional<Terrain::Range> Terrain::surface(std::span<const Vec2> around) con
   std::optional<Range> out;
   for (int row = first(low.y()); row <= last(high.y(), height_); ++row) {
     for (int column = first(low.x()); column <= last(high.x(), width_); ++column) {
-      const double cell = cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
-                                 static_cast<std::size_t>(column)];
+      const double cell = at(column, row);
       if (std::isnan(cell)) return std::nullopt;
       out = out ? Range{std::min(out->low, cell), std::max(out->high, cell)} : Range{cell, cell};
     }
@@ -312,32 +345,52 @@ std::optional<Terrain::Range> Terrain::range(const Vec2& low, const Vec2& high,
     throw InputError(name_,
                      {.expected = "cells with an area", .found = "a geotransform that has none"});
   }
-  double c0 = std::numeric_limits<double>::infinity();
-  double c1 = -c0;
-  double r0 = c0;
-  double r1 = -c0;
-  for (Vec2 p : {low, high, Vec2(low.x(), high.y()), Vec2(high.x(), low.y())}) {
+  Vec2 first = Vec2::Constant(std::numeric_limits<double>::infinity());  // column, row
+  Vec2 last = -first;
+  for (Vec2 p : around_rectangle(low, high)) {
     if (to_raster && !gdal().transform(to_raster.get(), 1, &p.x(), &p.y(), nullptr))
       return std::nullopt;
-    const double column = inverse[0] + p.x() * inverse[1] + p.y() * inverse[2];
-    const double row = inverse[3] + p.x() * inverse[4] + p.y() * inverse[5];
-    c0 = std::min(c0, column);
-    c1 = std::max(c1, column);
-    r0 = std::min(r0, row);
-    r1 = std::max(r1, row);
+    const Vec2 cell(inverse[0] + p.x() * inverse[1] + p.y() * inverse[2],
+                    inverse[3] + p.x() * inverse[4] + p.y() * inverse[5]);
+    if (!cell.allFinite()) return std::nullopt;
+    first = first.cwiseMin(cell);
+    last = last.cwiseMax(cell);
   }
-  // One more cell all around: a straight side may bulge in the raster's coordinates.
-  const auto clamped = [](double v, int n) {
-    return static_cast<int>(std::clamp(v, 0.0, n - 1.0));
-  };
-  if (c1 < -1 || r1 < -1 || c0 > width_ || r0 > height_) return std::nullopt;
+  return over_cells(first, last);
+}
+
+bool Terrain::known(const Cells& cells) const {
+  if (cells.first_row < 0 || cells.first_column < 0 || cells.last_row > height_ ||
+      cells.last_column > width_) {
+    return false;
+  }
+  for (int row = cells.first_row; row < cells.last_row; ++row) {
+    for (int column = cells.first_column; column < cells.last_column; ++column) {
+      if (std::isnan(at(column, row))) return false;
+    }
+  }
+  return true;
+}
+
+std::optional<Terrain::Range> Terrain::over_cells(const Vec2& low, const Vec2& high) const {
+  const std::vector<Span> columns = touched(low.x(), high.x(), width_);
+  const std::vector<Span> rows = touched(low.y(), high.y(), height_);
   std::optional<Range> out;
-  for (int row = clamped(r0 - 1, height_); row <= clamped(r1 + 1, height_); ++row) {
-    for (int column = clamped(c0 - 1, width_); column <= clamped(c1 + 1, width_); ++column) {
-      const double cell = cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
-                                 static_cast<std::size_t>(column)];
+  // One more cell all around: slopes between the middles of cells reach into the rectangle.
+  const int last_row = std::min(height_, rows.back().last + 1);
+  const int last_column = std::min(width_, columns.back().last + 1);
+  for (int row = std::max(0, rows.front().first - 1); row < last_row; ++row) {
+    for (int column = std::max(0, columns.front().first - 1); column < last_column; ++column) {
+      const double cell = at(column, row);
       if (std::isnan(cell)) continue;
       out = out ? Range{std::min(out->low, cell), std::max(out->high, cell)} : Range{cell, cell};
+    }
+  }
+  if (!out) return out;
+  out->whole = false;
+  for (const Span& column : columns) {
+    for (const Span& row : rows) {
+      out->whole |= known({column.first, column.last, row.first, row.last});
     }
   }
   return out;

@@ -135,10 +135,15 @@ void lift(Source& source, const Terrain& terrain, const std::string& crs) {
   for (Footprint& f : source.footprints) {
     const Reach reach(f.polygon.outer);
     const auto ground = terrain.range(reach.low, reach.high, crs);
+    const std::string which = fmt::format("feature {}", f.id);
     if (!ground) {
       ++source.counts["footprints_without_terrain"];
-      source.skipped.add("footprint without ground under it", fmt::format("feature {}", f.id));
+      source.skipped.add("footprint without ground under it", which);
       continue;
+    }
+    if (!ground->whole) {
+      ++source.counts["footprints_partly_without_terrain"];
+      source.skipped.add("footprint with unknown ground under a part of it", which);
     }
     f.bottom += ground->low;
     f.top += ground->high;

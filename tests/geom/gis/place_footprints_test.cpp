@@ -9,6 +9,7 @@
 #include "geom/base/error.h"
 #include "support/cover_oracle.h"
 #include "support/exact_cover.h"
+#include "support/memory_raster.h"
 #include "support/random_city.h"
 #include "support/temporary_folder.h"
 
@@ -276,6 +277,68 @@ TEST(Projector, RefusesAPointThatCannotBeConverted) {
   const Projector projector(source, "t.tif", std::nullopt, false);
   std::vector<geom::Vec2> points{{600000, 5340000}, {1e30, 1e30}, {600000, 5340000}};
   EXPECT_THROW(projector.convert(points), geom::InputError);
+}
+
+// A raster of 20 x 10 cells of 5 m, as high as the middles of its cells are east.
+MemoryRasterSpec ramp() {
+  return {.columns = 20,
+          .rows = 10,
+          .cell = [](int column, int) { return 5 * column + 2.5; },
+          .transform = {0, 5, 0, 50, 0, -5},
+          .epsg = 0};
+}
+
+// A house of 10 m on a terrain in the same coordinates.
+Source lifted(const MemoryRaster& raster, const Vec2& low, const Vec2& high) {
+  Source out;
+  geom::Footprint house;
+  house.top = 10;
+  house.polygon.outer = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+  out.footprints = {house};
+  lift(out, Terrain(raster.path(), "ramp.tif", {}), "");
+  return out;
+}
+
+void expect_partly_without_terrain(Source source, const char* what) {
+  EXPECT_EQ(source.counts["footprints_partly_without_terrain"], 1u) << what;
+  EXPECT_EQ(source.skipped.text(),
+            "1 x footprint with unknown ground under a part of it (feature 0)")
+      << what;
+}
+
+TEST(Lift, StandsOnTheLowestAndReachesAboveTheHighestGround) {
+  const MemoryRaster raster(ramp());
+  const Source source = lifted(raster, {20, 10}, {90, 30});
+  EXPECT_TRUE(source.skipped.empty());
+  EXPECT_EQ(source.footprints[0].bottom, 17.5);
+  EXPECT_EQ(source.footprints[0].top, 102.5);
+}
+
+TEST(Lift, TakesAFootprintAsLargeAsTheTerrain) {
+  const MemoryRaster raster(ramp());
+  EXPECT_TRUE(lifted(raster, {0, 0}, {100, 50}).skipped.empty());
+  EXPECT_TRUE(lifted(raster, {100, 0}, {100, 50}).skipped.empty()) << "a wall along its edge";
+}
+
+TEST(Lift, SkipsAFootprintOverGroundThatIsUnknownInPart) {
+  const MemoryRaster one_hole(ramp(), [](GDALDataset& made) {
+    made.GetRasterBand(1)->SetNoDataValue(52.5);  // column 10
+  });
+  expect_partly_without_terrain(lifted(one_hole, {20, 10}, {90, 30}), "a hole in its middle");
+  expect_partly_without_terrain(lifted(one_hole, {20, 10}, {50.5, 30}), "a hole below its side");
+  EXPECT_TRUE(lifted(one_hole, {20, 10}, {50, 30}).skipped.empty()) << "a hole beside it";
+  EXPECT_TRUE(lifted(one_hole, {50, 10}, {50, 30}).skipped.empty()) << "a wall beside it";
+  expect_partly_without_terrain(lifted(one_hole, {52, 10}, {52, 30}), "a wall in it");
+}
+
+TEST(Lift, SkipsAFootprintThatReachesBeyondTheTerrain) {
+  const MemoryRaster raster(ramp());
+  expect_partly_without_terrain(lifted(raster, {90, 10}, {101, 30}), "east");
+  expect_partly_without_terrain(lifted(raster, {-1, 10}, {10, 30}), "west");
+  expect_partly_without_terrain(lifted(raster, {90, 40}, {95, 51}), "north");
+  expect_partly_without_terrain(lifted(raster, {90, -1}, {95, 10}), "south");
+  const Source nowhere = lifted(raster, {200, 10}, {210, 30});
+  EXPECT_EQ(nowhere.skipped.text(), "1 x footprint without ground under it (feature 0)");
 }
 
 }  // namespace

@@ -165,8 +165,10 @@ class Terrain {
   struct Range {
     double low;
     double high;
+    bool whole = true;  // no cell under the region is unknown or outside of the raster
   };
-  // Of the cells that the region (x and y in `crs`) may touch; nothing where none has a height.
+  // Of the cells that the rectangle (x and y in `crs`) touches and those beside them that have a
+  // height; nothing where none has.
   std::optional<Range> range(const Vec2& low, const Vec2& high, const std::string& crs) const;
 
   // Of the surface within the rectangle around these points (x and y in the raster's own system),
@@ -177,6 +179,13 @@ class Terrain {
   const std::string& crs() const { return crs_; }  // may be empty
 
  private:
+  using Cells = CellGrid::Cells;
+
+  double at(int column, int row) const;
+  bool known(const Cells& cells) const;  // none is outside or without data
+  // Of a rectangle in columns and rows.
+  std::optional<Range> over_cells(const Vec2& low, const Vec2& high) const;
+
   std::string name_;
   std::string crs_;
   double transform_[6];
