@@ -6,6 +6,7 @@
 #include <cmath>
 #include <istream>
 #include <limits>
+#include <numeric>
 #include <set>
 
 #include "geom/base/error.h"
@@ -23,6 +24,7 @@ constexpr std::string_view kHeader = "row,column,people,lon,lat,lon,lat,lon,lat,
 constexpr std::size_t kFields = 11;
 constexpr double kBend = 2e-3;     // of a cell's longest side: twice what its edges may bend
 constexpr double kReserve = 1e-3;  // m
+constexpr double kSame = 1e-9;     // degrees, a tenth of a millimetre
 
 class Line {
  public:
@@ -96,6 +98,16 @@ bool apart(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
   return false;
 }
 
+// Of a convex ring, counterclockwise; also where rounding puts the place beside it.
+bool holds(const std::vector<Vec2>& ring, const Vec2& place) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 along = ring[(i + 1) % ring.size()] - ring[i];
+    const Vec2 out(along.y(), -along.x());
+    if (out.dot(place - ring[i]) > kReserve * out.norm()) return false;
+  }
+  return true;
+}
+
 std::vector<Vec2> wider(const std::vector<Vec2>& ring, double by) {
   std::vector<Vec2> points;
   for (const Vec2& p : ring) {
@@ -105,6 +117,53 @@ std::vector<Vec2> wider(const std::vector<Vec2>& ring, double by) {
   }
   return geom::convex_outline(std::move(points));
 }
+
+// Edges that a cell does not share with the next one in its row or column.
+class Border {
+ public:
+  explicit Border(const std::vector<PopulationCell>& cells) {
+    std::size_t last_row = 0;
+    for (const PopulationCell& cell : cells) {
+      first_row_ = std::min(first_row_, cell.row);
+      first_column_ = std::min(first_column_, cell.column);
+      columns_ = std::max(columns_, cell.column + 1);
+      last_row = std::max(last_row, cell.row);
+    }
+    columns_ -= cells.empty() ? 0 : first_column_;
+    grid_.resize(cells.empty() ? 0 : (last_row - first_row_ + 1) * columns_);
+    for (const PopulationCell& cell : cells) grid_[index(cell.row, cell.column)] = &cell;
+  }
+
+  bool has(const PopulationCell& cell, std::size_t edge) const {
+    const std::size_t next = (edge + 1) % cell.corners.size();
+    const auto shares = [&](std::size_t row, std::size_t column) {
+      const std::size_t at = index(row, column);
+      return at < grid_.size() && grid_[at] && is_corner(*grid_[at], cell.corners[edge]) &&
+             is_corner(*grid_[at], cell.corners[next]);
+    };
+    const bool left = cell.column > first_column_ && shares(cell.row, cell.column - 1);
+    const bool right =
+        cell.column + 1 < first_column_ + columns_ && shares(cell.row, cell.column + 1);
+    const bool above = cell.row > first_row_ && shares(cell.row - 1, cell.column);
+    return !(left || right || above || shares(cell.row + 1, cell.column));
+  }
+
+ private:
+  static bool is_corner(const PopulationCell& cell, const geom::GeodeticPlace& place) {
+    return std::any_of(cell.corners.begin(), cell.corners.end(), [&](const auto& corner) {
+      return std::abs(corner.latitude - place.latitude) <= kSame &&
+             std::abs(corner.longitude - place.longitude) <= kSame;
+    });
+  }
+  std::size_t index(std::size_t row, std::size_t column) const {
+    return (row - first_row_) * columns_ + column - first_column_;
+  }
+
+  std::size_t first_row_ = std::numeric_limits<std::size_t>::max();
+  std::size_t first_column_ = first_row_;
+  std::size_t columns_ = 0;
+  std::vector<const PopulationCell*> grid_;  // row by row
+};
 
 struct Reach {
   Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
@@ -177,46 +236,65 @@ std::string population_csv(const Population& population) {
 PopulationOnMap::PopulationOnMap(const Population& population, const geom::GeodeticOrigin& origin)
     : origin_(origin) {
   const geom::GeographicFrame earth(origin);
-  Reach reach;
+  const Border border(population.cells);
   for (const PopulationCell& cell : population.cells) {
     std::vector<Vec2> ring;
     for (const geom::GeodeticPlace& corner : cell.corners) {
       Vec2& at = ring.emplace_back();
       earth.from_geodetic(corner.latitude, corner.longitude, at.x(), at.y());
     }
-    double side = 0;
+    double longest = 0;
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      side = std::max(side, (ring[(i + 1) % ring.size()] - ring[i]).norm());
+      const Vec2& next = ring[(i + 1) % ring.size()];
+      const double side = (next - ring[i]).norm();
+      longest = std::max(longest, side);
+      if (border.has(cell, i)) border_.push_back(wider({ring[i], next}, kBend * side));
     }
-    cells_.push_back({wider(ring, kBend * side), cell.people});
-    reach.add(cells_.back().outline);
+    cells_.push_back({geom::convex_outline(ring), wider(ring, kBend * longest), cell.people});
   }
-  low_ = reach.low;
-  high_ = reach.high;
 }
 
 Exposed PopulationOnMap::exposed(std::span<const RiskVolume> buffers) const {
-  Exposed out;
-  std::vector<std::pair<std::vector<Vec2>, Reach>> outlines;
+  struct Buffer {
+    std::vector<Vec2> outline;
+    Vec2 middle;
+    Reach reach = {};
+    bool held = false;  // its middle is in a cell
+
+    bool touches(const std::vector<Vec2>& other, const Reach& at) const {
+      return reach.meets(at) && !apart(outline, other) && !apart(other, outline);
+    }
+  };
+  std::vector<Buffer> all;
   for (const RiskVolume& buffer : buffers) {
     const geom::MapOutline outline = geom::outline_on_map(
         buffer.volume.outline, origin_, geom::CircleSide::around, "a buffer", "ground risk buffer");
-    auto& [ring, reach] = outlines.emplace_back(wider(outline.ring, outline.bulge), Reach{});
-    reach.add(ring);
-    out.inside = out.inside && (reach.low.array() >= low_.array()).all() &&
-                 (reach.high.array() <= high_.array()).all();
+    const std::vector<Vec2> ring = wider(outline.ring, outline.bulge);
+    const Vec2 sum = std::accumulate(ring.begin(), ring.end(), Vec2::Zero().eval());
+    all.push_back({ring, sum / static_cast<double>(ring.size())});
+    all.back().reach.add(ring);
   }
+  Exposed out;
   for (const Cell& cell : cells_) {
     Reach at;
     at.add(cell.outline);
-    const bool touched = std::any_of(outlines.begin(), outlines.end(), [&](const auto& one) {
-      return one.second.meets(at) && !apart(one.first, cell.outline) &&
-             !apart(cell.outline, one.first);
-    });
+    bool touched = false;
+    for (Buffer& one : all) {
+      if (!one.reach.meets(at)) continue;
+      one.held = one.held || holds(cell.ring, one.middle);
+      touched = touched || one.touches(cell.outline, at);
+    }
     if (!touched) continue;
     out.people += cell.people.value_or(0);
     out.unknown += !cell.people;
   }
+  // A buffer that begins in a cell and meets no edge of the border is in cells all over.
+  for (const std::vector<Vec2>& edge : border_) {
+    Reach at;
+    at.add(edge);
+    for (const Buffer& one : all) out.inside = out.inside && !one.touches(edge, at);
+  }
+  for (const Buffer& one : all) out.inside = out.inside && one.held;
   return out;
 }
 

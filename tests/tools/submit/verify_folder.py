@@ -11,7 +11,8 @@ Python's standard library is enough. The script works out
   of the tube itself is not in the folder;
 - how far contingency volumes and ground risk buffers reach around what they are around, from the numbers
   of the formulas;
-- the people in all cells of population.csv that a ground risk buffer touches;
+- the people in all cells of population.csv that a ground risk buffer touches, how many of these have no number,
+  and that the cells hold every buffer whole;
 - durations, energy and the times of claims.jsonl.
 
 It does not know how autopilots fly: of a mission (a flight of the kind "mission") it follows the files, the
@@ -32,6 +33,7 @@ import os
 import struct
 import subprocess
 import sys
+from collections import Counter
 from datetime import datetime, timezone
 from fractions import Fraction
 
@@ -271,30 +273,46 @@ def check_risk(risk, nominal, off_nominal, method, claims):
 # ---- people
 
 def population(folder, origin):
+    """The cells of a population raster, and the edges that only one of them has."""
     path = os.path.join(folder, "population.csv")
     if not os.path.exists(path):
         return None
-    cells = []
+    cells, edges = [], Counter()
     for line in open(path, encoding="utf-8").read().splitlines()[1:]:
         fields = line.split(",")
         places = [(float(fields[4 + 2 * i]), float(fields[3 + 2 * i])) for i in range(4)]
+        nodes = [(round(lat, 8), round(lng, 8)) for lat, lng in places]
+        edges.update(frozenset(pair) for pair in zip(nodes, nodes[1:] + nodes[:1]))
         ring = ring_of(places, origin)
-        cells.append((ring, float(fields[2]) if fields[2] else None,
-                      min(p[0] for p in ring), max(p[0] for p in ring), min(p[1] for p in ring), max(p[1] for p in ring)))
-    return cells
+        cells.append((ring, float(fields[2]) if fields[2] else None, *extent(ring)))
+    border = [ring_of(sorted(edge), origin) for edge, count in edges.items() if count == 1]
+    return cells, [(edge, *extent(edge)) for edge in border]
 
 
-def people_below(cells, buffers):
-    total = 0.0
-    boxes = [(b["ring"], min(p[0] for p in b["ring"]), max(p[0] for p in b["ring"]), min(p[1] for p in b["ring"]),
-              max(p[1] for p in b["ring"])) for b in buffers]
-    for ring, people, west, east, south, north in cells:
-        for other, w, e, s, n in boxes:
-            if e < west or east < w or n < south or north < s or disjoint(ring, other):
-                continue
-            total += people or 0
-            break
-    return total
+def extent(ring):
+    return min(p[0] for p in ring), max(p[0] for p in ring), min(p[1] for p in ring), max(p[1] for p in ring)
+
+
+def touching(ring, others):
+    """Those of the others that the ring does not keep apart from."""
+    w, e, s, n = extent(ring)
+    return [one for one in others
+            if not (one[-3] < w or e < one[-4] or one[-1] < s or n < one[-2] or disjoint(one[0], ring))]
+
+
+def people_below(population, buffers, file):
+    """The people in all cells that a buffer touches, and how many have no number; cells must hold each buffer."""
+    cells, border = population
+    below = {}
+    for buffer in buffers:
+        ring = buffer["ring"]
+        touched = touching(ring, cells)
+        middle = [sum(p[axis] for p in ring) / len(ring) for axis in (0, 1)]
+        held = any(room_around(cell[0], [middle]) >= -1e-6 for cell in touched)
+        require(held and not touching(ring, border), file, "the cells do not hold a ground risk buffer")
+        below.update((id(cell), cell[1]) for cell in touched)
+    counts = list(below.values())
+    return sum(people or 0 for people in counts), counts.count(None)
 
 
 # ---- all of it
@@ -415,8 +433,9 @@ def check(folder):
             check_held(records[one["id"]], nominal, method, one, enu)
         buffers = check_risk(risk_volumes(folder, one["risk"], origin), nominal, off_nominal, method, one)
         if cells is not None:
-            below = people_below(cells, buffers)
+            below, unknown = people_below(cells, buffers, "population.csv")
             require(one["people"] >= below - 1e-6 * max(1, below), "claims.jsonl", f"{below} people are below {one['id']}")
+            require(one["people_unknown"] >= unknown, "claims.jsonl", f"{unknown} cells below {one['id']} have no number")
     return claims
 
 

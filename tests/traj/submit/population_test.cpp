@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 #include <sstream>
 
@@ -96,6 +97,57 @@ TEST(Population, SaysWhenItDoesNotReachAsFarAsABuffer) {
   const traj::PopulationOnMap on_map(cells(), kOrigin);
   const std::vector<traj::RiskVolume> buffers{buffer({{0, 0}, {1500, 0}, {0, 10}})};
   EXPECT_FALSE(on_map.exposed(buffers).inside);
+}
+
+// Rows and columns of 50 m about the origin, turned; the first column begins at `from`.
+traj::Population turned_cells(double angle, double from) {
+  const geom::GeographicFrame earth(kOrigin);
+  const geom::Vec2 along(std::cos(angle), std::sin(angle)), down(along.y(), -along.x());
+  const auto corner = [&](std::size_t row, std::size_t column) {
+    const geom::Vec2 p = (from + 50.0 * static_cast<double>(column)) * along +
+                         50.0 * (static_cast<double>(row) - 20) * down;
+    return earth.place({p.x(), p.y(), 0});
+  };
+  traj::Population out;
+  for (std::size_t row = 0; row < 40; ++row) {
+    for (std::size_t column = 0; column < 40; ++column) {
+      out.cells.push_back({row,
+                           column,
+                           10,
+                           {{corner(row, column), corner(row, column + 1),
+                             corner(row + 1, column + 1), corner(row + 1, column)}}});
+    }
+  }
+  return out;
+}
+
+// The rectangle around turned cells reaches further than they do.
+TEST(Population, SaysWhenATurnedRasterEndsBelowABuffer) {
+  const std::vector<traj::RiskVolume> buffers{
+      buffer({{-100, -100}, {100, -100}, {100, 100}, {-100, 100}})};
+  for (const double degrees : {0.0, 30.0, 45.0, 135.0, 200.0, 300.0}) {
+    const double angle = degrees * M_PI / 180;
+    const auto inside = [&](double from) {
+      return traj::PopulationOnMap(turned_cells(angle, from), kOrigin).exposed(buffers).inside;
+    };
+    EXPECT_TRUE(inside(-1000)) << degrees;
+    EXPECT_TRUE(inside(-150)) << degrees << ": it ends just beyond the buffer";
+    EXPECT_FALSE(inside(-90)) << degrees;
+    EXPECT_FALSE(inside(0)) << degrees;
+    EXPECT_FALSE(inside(150)) << degrees << ": it begins beyond the buffer";
+    EXPECT_FALSE(inside(-1910)) << degrees << ": it ends in the buffer";
+  }
+}
+
+TEST(Population, SaysWhenCellsLeaveAGapBelowABuffer) {
+  traj::Population population = turned_cells(0.3, -1000);
+  const std::vector<traj::RiskVolume> buffers{buffer({{-200, -10}, {200, -10}, {200, 10}})};
+  EXPECT_TRUE(traj::PopulationOnMap(population, kOrigin).exposed(buffers).inside);
+  for (traj::PopulationCell& cell : population.cells) {
+    if (cell.column < 20) continue;
+    for (geom::GeodeticPlace& corner : cell.corners) corner.longitude += 1e-5;
+  }
+  EXPECT_FALSE(traj::PopulationOnMap(population, kOrigin).exposed(buffers).inside);
 }
 
 TEST(Population, CountsCellsWithoutANumberApart) {

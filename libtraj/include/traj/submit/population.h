@@ -45,7 +45,7 @@ std::string population_csv(const Population& population);
 struct Exposed {
   double people = 0;        // of all cells that are touched, each whole
   std::size_t unknown = 0;  // touched cells without a value in the raster
-  bool inside = true;       // whether the cells reach as far as the volumes in each direction
+  bool inside = true;       // whether every place of the volumes is in one of the cells
 };
 
 // The cells over an origin.
@@ -60,14 +60,14 @@ class PopulationOnMap {
 
  private:
   struct Cell {
-    std::vector<geom::Vec2> outline;  // convex, counterclockwise; wider by what edges bend
+    std::vector<geom::Vec2> ring;     // convex, counterclockwise
+    std::vector<geom::Vec2> outline;  // the same, wider by what edges bend
     std::optional<double> people;
   };
 
   geom::GeodeticOrigin origin_;
   std::vector<Cell> cells_;
-  geom::Vec2 low_ = geom::Vec2::Zero();
-  geom::Vec2 high_ = geom::Vec2::Zero();
+  std::vector<std::vector<geom::Vec2>> border_;  // edges of one cell alone, wider by what they bend
 };
 
 }  // namespace traj
