@@ -26,11 +26,9 @@ class ToRaster {
                  .found = crs.empty() ? "a height model that does not" : "a map that does not"});
     }
     earth_ = std::make_unique<GeographicFrame>(*frame.origin);
-    to_raster_ = conversion(reference_named("EPSG:4326", name), reference_named(crs, name));
-    if (!to_raster_) {
-      throw InputError(name, {.says = "PROJ cannot convert longitude and latitude to the "
-                                      "coordinates of the height model"});
-    }
+    const ReferenceHandle own = reference_named(crs, name);
+    to_raster_ = conversion(reference_named("EPSG:4326", name), own);
+    if (!to_raster_) refuse_conversion(own, name);
   }
 
   // NaN where PROJ cannot convert.

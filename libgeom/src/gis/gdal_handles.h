@@ -30,6 +30,12 @@ struct DestroyConversion {
 };
 using ConversionHandle = std::unique_ptr<void, DestroyConversion>;
 
+struct DestroyConversionOptions {
+  void operator()(OGRCoordinateTransformationOptions* options) const {
+    gdal().destroy_conversion_options(options);
+  }
+};
+
 struct DestroyFeature {
   void operator()(void* feature) const { gdal().destroy_feature(feature); }
 };
@@ -74,9 +80,23 @@ inline ReferenceHandle reference_named(const std::string& text, const std::strin
   return out;
 }
 
-// Null where PROJ knows none.
+// Null where PROJ knows none. Never one that takes two datums for one.
 inline ConversionHandle conversion(const ReferenceHandle& from, const ReferenceHandle& to) {
-  return ConversionHandle(gdal().new_transformation(from.get(), to.get()));
+  const std::unique_ptr<OGRCoordinateTransformationOptions, DestroyConversionOptions> options(
+      gdal().new_conversion_options());
+  gdal().allow_ballpark(options.get(), FALSE);
+  return ConversionHandle(gdal().new_transformation(from.get(), to.get(), options.get()));
+}
+
+// The refusal where conversion() between this system and places on Earth is null.
+[[noreturn]] inline void refuse_conversion(const ReferenceHandle& system, const std::string& name) {
+  const char* const said = gdal().reference_name(system.get());
+  throw InputError(
+      name,
+      {.says = fmt::format("PROJ knows no way from the reference system \"{}\" to places on Earth",
+                           std::string(said ? said : "").substr(0, 80)),
+       .advice = "say in the file which it is, for example with `ogr2ogr -a_srs EPSG:25832`, or "
+                 "`gdal_translate -a_srs` for a raster"});
 }
 
 // Empty for none and for a local one, whose units must be metres.

@@ -71,7 +71,8 @@ GdalLibrary load() {
           .area_of_use = SKYWAY_FUNCTION(library, OSRGetAreaOfUse),
           .has_latitude_first = SKYWAY_FUNCTION(library, OSREPSGTreatsAsLatLong),
           .has_northing_first = SKYWAY_FUNCTION(library, OSREPSGTreatsAsNorthingEasting),
-          .new_transformation = SKYWAY_FUNCTION(library, OCTNewCoordinateTransformation),
+          .reference_name = SKYWAY_FUNCTION(library, OSRGetName),
+          .new_transformation = SKYWAY_FUNCTION(library, OCTNewCoordinateTransformationEx),
           .destroy_transformation = SKYWAY_FUNCTION(library, OCTDestroyCoordinateTransformation),
           .transform = SKYWAY_FUNCTION(library, OCTTransform),
           .transform_each = SKYWAY_FUNCTION(library, OCTTransformEx),
@@ -129,7 +130,18 @@ GdalLibrary load() {
           .points = SKYWAY_FUNCTION(library, OGR_G_GetPoints)};
 }
 
+// Those whose names are too long for the table.
+void load_conversion_options(GdalLibrary& to) {
+  const LoadedLibrary library(SKYWAY_GDAL_SONAME, "libgdal32");
+  to.new_conversion_options = SKYWAY_FUNCTION(library, OCTNewCoordinateTransformationOptions);
+  to.destroy_conversion_options =
+      SKYWAY_FUNCTION(library, OCTDestroyCoordinateTransformationOptions);
+  to.allow_ballpark =
+      SKYWAY_FUNCTION(library, OCTCoordinateTransformationOptionsSetBallparkAllowed);
+}
+
 GdalLibrary prepared(GdalLibrary library) {
+  load_conversion_options(library);
   library.set_error_handler(library.quiet_error_handler);
   library.set_option("OGR_CURRENT_DATE", "2000-01-01T00:00:00Z");  // the same bytes at any time
   library.all_register();

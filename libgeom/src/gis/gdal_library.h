@@ -76,7 +76,8 @@ struct GdalLibrary {
   decltype(&OSRGetAreaOfUse) area_of_use;
   decltype(&OSREPSGTreatsAsLatLong) has_latitude_first;
   decltype(&OSREPSGTreatsAsNorthingEasting) has_northing_first;
-  decltype(&OCTNewCoordinateTransformation) new_transformation;
+  decltype(&OSRGetName) reference_name;
+  decltype(&OCTNewCoordinateTransformationEx) new_transformation;
   decltype(&OCTDestroyCoordinateTransformation) destroy_transformation;
   decltype(&OCTTransform) transform;
   decltype(&OCTTransformEx) transform_each;
@@ -132,6 +133,9 @@ struct GdalLibrary {
   decltype(&OGR_G_GetPointCount) point_count;
   decltype(&OGR_G_GetPoint) point;
   decltype(&OGR_G_GetPoints) points;
+  decltype(&OCTNewCoordinateTransformationOptions) new_conversion_options = nullptr;
+  decltype(&OCTDestroyCoordinateTransformationOptions) destroy_conversion_options = nullptr;
+  decltype(&OCTCoordinateTransformationOptionsSetBallparkAllowed) allow_ballpark = nullptr;
 };
 
 // Loads it at the first call. Throws std::runtime_error where GDAL is not installed. GDAL says

@@ -105,11 +105,9 @@ class Raster {
 
   void transform(const ReferenceHandle& from, const ReferenceHandle& to, std::vector<double>& x,
                  std::vector<double>& y) const {
-    const OGRCoordinateTransformationH way = gdal().new_transformation(from.get(), to.get());
-    const bool done =
-        way && gdal().transform(way, static_cast<int>(x.size()), x.data(), y.data(), nullptr);
-    if (way) gdal().destroy_transformation(way);
-    if (!done) {
+    const ConversionHandle way = conversion(from, to);
+    if (!way) refuse_conversion(own_, path_);
+    if (!gdal().transform(way.get(), static_cast<int>(x.size()), x.data(), y.data(), nullptr)) {
       refuse({.says = fmt::format("its coordinates cannot be converted (GDAL: {})",
                                   gdal().last_error())});
     }

@@ -138,7 +138,8 @@ Projector::Projector(Source& source, const std::string& name, const std::optiona
   const ReferenceHandle from = reference_named(source.crs, name);
   Vec2 middle = 0.5 * (layout.low + layout.high);  // longitude, latitude once transformed
   const ConversionHandle back = conversion(from, reference_named("EPSG:4326", name));
-  if (!back || !convert_one(back, middle) || std::abs(middle.y()) > 90) {
+  if (!back) refuse_conversion(from, name);
+  if (!convert_one(back, middle) || std::abs(middle.y()) > 90) {
     throw InputError(
         name,
         {.says = fmt::format(
@@ -157,11 +158,7 @@ Projector::Projector(Source& source, const std::string& name, const std::optiona
   }
   const std::string local = plane_about(at);
   transformation_->to_local = conversion(from, reference_named(local, name));
-  if (!transformation_->to_local) {
-    throw InputError(name,
-                     {.says = "PROJ cannot convert these coordinates to metres about the origin",
-                      .advice = "is their coordinate reference system right?"});
-  }
+  if (!transformation_->to_local) refuse_conversion(from, name);
   frame_.origin = GeodeticOrigin{at.y(), at.x(), 0};
   frame_.crs = local;
 }

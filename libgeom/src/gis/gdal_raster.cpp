@@ -331,12 +331,9 @@ std::optional<Terrain::Range> Terrain::range(const Vec2& low, const Vec2& high,
                                              const std::string& crs) const {
   ConversionHandle to_raster;
   if (!crs.empty() && !crs_.empty()) {
-    to_raster = conversion(reference_named(crs, name_), reference_named(crs_, name_));
-    if (!to_raster)
-      throw InputError(
-          name_,
-          {.says = "PROJ cannot convert the coordinates of the footprints to those of the terrain",
-           .advice = "are their coordinate reference systems right?"});
+    const ReferenceHandle own = reference_named(crs_, name_);
+    to_raster = conversion(reference_named(crs, name_), own);
+    if (!to_raster) refuse_conversion(own, name_);
   }
   double inverse[6];
   double forward[6];

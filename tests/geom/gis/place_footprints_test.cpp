@@ -7,10 +7,12 @@
 #include <fstream>
 
 #include "geom/base/error.h"
+#include "gis/gdal_handles.h"
 #include "support/cover_oracle.h"
 #include "support/exact_cover.h"
 #include "support/memory_raster.h"
 #include "support/random_city.h"
+#include "support/reading.h"
 #include "support/temporary_folder.h"
 
 namespace geom::gis {
@@ -272,6 +274,34 @@ TEST(Projector, ConvertsEachPointAsIfItWereAlone) {
   }
 }
 
+// PROJ offers conversions that take two datums for one, which may be 10 m and more off.
+TEST(Projector, RefusesAConversionThatTakesTwoDatumsForOne) {
+  for (const char* crs : {"EPSG:2029", "EPSG:4608", "EPSG:4004", "EPSG:2029+5713"}) {
+    Source source = grid_of(crs, {0.5, 43}, 1e-4);
+    EXPECT_TRUE(
+        support::says(support::refusal_of([&] { Projector(source, "t.tif", std::nullopt, false); }),
+                      "t.tif: PROJ knows no way from the reference system"))
+        << crs;
+    EXPECT_TRUE(std::isinf(lean_of(*source.grid, 9, 9, crs, "t.tif", std::nullopt).row)) << crs;
+  }
+}
+
+TEST(Projector, TakesSystemsWhoseDatumsAreTiedToWgs84) {
+  for (const char* crs : {"EPSG:25832", "EPSG:28992", "EPSG:7415", "EPSG:31256", "EPSG:27700",
+                          "EPSG:2154", "EPSG:2263", "EPSG:26918", "EPSG:6347", "EPSG:5555",
+                          "EPSG:25832+5783", "EPSG:2056", "EPSG:6677", "EPSG:7855"}) {
+    const ReferenceHandle system = reference_named(crs, "t.tif");
+    double west = 9, south = 50, east = 9, north = 50;  // of a pair of systems
+    gdal().area_of_use(system.get(), &west, &south, &east, &north, nullptr);
+    Vec2 middle(0.5 * (west + east), 0.5 * (south + north));
+    const ConversionHandle there = conversion(reference_named("EPSG:4326", "t.tif"), system);
+    ASSERT_TRUE(there) << crs;
+    ASSERT_TRUE(gdal().transform(there.get(), 1, &middle.x(), &middle.y(), nullptr)) << crs;
+    Source source = grid_of(crs, middle, 1);
+    EXPECT_NO_THROW(Projector(source, "t.tif", std::nullopt, false)) << crs;
+  }
+}
+
 TEST(Projector, RefusesAPointThatCannotBeConverted) {
   Source source = grid_of("EPSG:32633", {600000, 5340000}, 10);
   const Projector projector(source, "t.tif", std::nullopt, false);
@@ -339,6 +369,18 @@ TEST(Lift, SkipsAFootprintThatReachesBeyondTheTerrain) {
   expect_partly_without_terrain(lifted(raster, {90, -1}, {95, 10}), "south");
   const Source nowhere = lifted(raster, {200, 10}, {210, 30});
   EXPECT_EQ(nowhere.skipped.text(), "1 x footprint without ground under it (feature 0)");
+}
+
+TEST(Lift, RefusesATerrainWhoseDatumIsNotTied) {
+  MemoryRasterSpec spec = ramp();
+  spec.epsg = 2029;
+  const MemoryRaster raster(spec);
+  Source out;
+  out.footprints.resize(1);
+  out.footprints[0].polygon.outer = {{0, 0}, {1, 0}, {1, 1}};
+  EXPECT_TRUE(support::says(
+      support::refusal_of([&] { lift(out, Terrain(raster.path(), "ramp.tif", {}), "EPSG:4326"); }),
+      "ramp.tif: PROJ knows no way from the reference system \"NAD27(76)"));
 }
 
 }  // namespace
