@@ -48,6 +48,7 @@ struct Shape {
   bool roofs = true;
   bool raised = false;  // drawn flat, and as high as something else says
   CitySurfaces surfaces;
+  CitySurfaces plans;  // of level of detail 0, beside surfaces that do not stand on all of them
   double low = std::numeric_limits<double>::infinity();  // metres
   double high = -std::numeric_limits<double>::infinity();
 };
@@ -137,13 +138,8 @@ class Builder {
       skip(object,
            fmt::format("{} of lines or points beside its surfaces", object.type.substr(0, 40)));
     }
-    for (const CitySurface* surface : shape.surfaces) {
-      for (const auto& ring : *surface) {
-        for (const Vec3& p : ring) {
-          shape.low = std::min(shape.low, p.z() * unit_);
-          shape.high = std::max(shape.high, p.z() * unit_);
-        }
-      }
+    for (const CitySurfaces* surfaces : {&shape.surfaces, &shape.plans}) {
+      for (const CitySurface* surface : *surfaces) reach(*surface, shape);
     }
     if (!stand(shape)) return;
     Whole& whole = wholes_[object.whole];
@@ -151,6 +147,15 @@ class Builder {
     whole.high = std::max(whole.high, shape.high);
     whole.grounded |= shape.raised || !shape.roofs;
     shapes_.push_back(std::move(shape));
+  }
+
+  void reach(const CitySurface& surface, Shape& shape) const {
+    for (const auto& ring : surface) {
+      for (const Vec3& p : ring) {
+        shape.low = std::min(shape.low, p.z() * unit_);
+        shape.high = std::max(shape.high, p.z() * unit_);
+      }
+    }
   }
 
   // What the parts of a whole have that is not flat.
@@ -184,8 +189,12 @@ class Builder {
     Extent extent;
     for (const auto& [lod, geometries] : levels) {
       Extent own;
-      for (const CityGeometry* g : geometries) own.add(*g);
-      if (!own.reaches_beyond(extent)) continue;
+      CitySurfaces surfaces;
+      for (const CityGeometry* g : geometries) {
+        own.add(*g);
+        for (const CitySurface& surface : g->surfaces) surfaces.push_back(&surface);
+      }
+      if (!own.reaches_beyond(extent) && !has_gap(surfaces, shape.surfaces)) continue;
       extent.add(own);
       for (const CityGeometry* g : geometries) take(*g, shape);
     }
@@ -195,7 +204,10 @@ class Builder {
   static void take(const CityGeometry& g, Shape& shape) {
     shape.roof_edges &= g.roof_edge;
     shape.roofs &= g.roofs_only;
-    for (const CitySurface& surface : g.surfaces) shape.surfaces.push_back(&surface);
+    const bool plan = g.lod < 1 && shape.lod >= 1 && !kLevel.contains(shape.object->type);
+    for (const CitySurface& surface : g.surfaces) {
+      (plan ? shape.plans : shape.surfaces).push_back(&surface);
+    }
   }
 
   void skip(const CityObject& object, const std::string& kind) {
@@ -261,16 +273,30 @@ class Builder {
     const double bottom = wholes_.at(shape.object->whole).low;
     for (const CitySurface* surface : shape.surfaces) {
       Footprint f = footprint_of(*surface);
-      f.id = shape.id;
-      f.ground = kGround.contains(shape.object->type);
-      f.bottom = bottom;
-      if (shape.raised) {
-        f.heights.clear();
-        f.top = shape.high;
-      }
-      f.likely_covered = f.top <= bottom;
-      out_.footprints.push_back(std::move(f));
+      if (shape.raised) raise(shape.high, f);
+      add(std::move(f), shape, bottom);
     }
+    // As high as the rest of the object, or as its attributes say: nothing else tells.
+    for (const CitySurface* surface : shape.plans) {
+      Footprint f = footprint_of(*surface);
+      const BuildingHeight height = height_of(*shape.object);
+      const double own = height.from == HeightFrom::nothing ? 0 : height.top;
+      raise(std::max(shape.high, f.top + own), f);
+      add(std::move(f), shape, bottom);
+    }
+  }
+
+  static void raise(double top, Footprint& f) {
+    f.heights.clear();
+    f.top = top;
+  }
+
+  void add(Footprint f, const Shape& shape, double bottom) {
+    f.id = shape.id;
+    f.ground = kGround.contains(shape.object->type);
+    f.bottom = bottom;
+    f.likely_covered = f.top <= bottom;
+    out_.footprints.push_back(std::move(f));
   }
 
   Footprint footprint_of(const CitySurface& surface) const {

@@ -24,10 +24,11 @@ struct CityFootprints {
 };
 
 // Of each object all geometries of its highest level of detail, whatever its type: a road may lead
-// over a bridge; and those of a lower level that reach a quarter of their size beyond. Each surface
-// is solid below, down to the lowest point of all that the object is a part of, and by its
-// `measuredHeight` below its highest where that is lower. Terrain, land use and water are ground. A
-// building that is drawn flat stands on that as high as `measuredHeight`, `height` or
+// over a bridge; and those of a lower level that reach a quarter of their size beyond, or whose
+// plan the higher levels leave a gap in (has_gap): one of level 0 then is as high as the object.
+// Each surface is solid below, down to the lowest point of all that the object is a part of, and by
+// its `measuredHeight` below its highest where that is lower. Terrain, land use and water are
+// ground. A building that is drawn flat stands on that as high as `measuredHeight`, `height` or
 // `storeysAboveGround` say, or else `options.default_height`; a roof's edge alone is taken at
 // either end of that height. Others that are drawn flat reach up by their `height` or
 // `averageHeight`. A plan in level of detail 0 of an object whose parts stand on all of it

