@@ -173,6 +173,22 @@ std::size_t require_kml(const std::string& path, const std::string& name) {
   return placemarks;
 }
 
+// GDAL's names of the formats that it reads whole, after what require_whole() refuses.
+constexpr std::string_view kWhole[] = {
+    "GeoJSON",    "GeoJSONSeq", "ESRIJSON", "GPKG", "SQLite", "ESRI Shapefile",
+    "FlatGeobuf", "KML",        "LIBKML",   "GML",  "CSV"};
+
+// Of a drawing, for example, GDAL leaves out solids and meshes, and does not tell the unit.
+void require_whole_format(std::string_view driver, const std::string& name) {
+  if (std::find(std::begin(kWhole), std::end(kWhole), driver) != std::end(kWhole)) return;
+  throw InputError(
+      name,
+      {.expected = "polygons as GeoJSON, GeoPackage, Shapefile, FlatGeobuf, SQLite, KML, GML "
+                   "or CSV",
+       .found = fmt::format("a format of which GDAL may leave out parts ({})", driver),
+       .advice = "export one of these from the program that made it, as polygons with heights"});
+}
+
 }  // namespace
 
 std::vector<std::string> files_beside(const DatasetHandle& dataset, const std::string& path) {
@@ -191,6 +207,7 @@ std::size_t require_whole(const DatasetHandle& dataset, const std::string& path,
     throw InputError(name, {.says = "this is OpenStreetMap data, of which GDAL leaves out heights",
                             .advice = "read it with --format osm"});
   }
+  require_whole_format(driver, name);
   if (driver == "GeoJSON") return require_json(path, name, false);
   if (driver == "ESRIJSON") return require_json(path, name, true);
   if (driver == "GeoJSONSeq") return require_json_sequence(path, name);

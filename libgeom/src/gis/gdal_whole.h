@@ -14,7 +14,8 @@ namespace geom::gis {
 // Throws InputError(name, …) where the file at `path`, which `dataset` was opened from, says
 // itself that it is a part, or holds what GDAL passes over: GeoJSON that its server cut or with a
 // key twice, KML that leads to other files, shapefiles whose parts do not belong together or that
-// have rows marked as deleted. Returns how many features must come of it at least.
+// have rows marked as deleted. Throws it for a format that is not known to be read whole, as DXF.
+// Returns how many features must come of it at least.
 std::size_t require_whole(const DatasetHandle& dataset, const std::string& path,
                           const std::string& name);
 

@@ -170,5 +170,21 @@ TEST_F(Shapefile, IsRefusedWithoutItsTable) {
   EXPECT_TRUE(says(refusal(), "the .dbf (their attributes) is not there"));
 }
 
+// GDAL leaves out solids and meshes of a drawing, and its unit.
+TEST(RequireWhole, RefusesADrawing) {
+  const std::string text =
+      "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\n0\n100\nAcDbPolyline\n90\n3\n70\n1\n"
+      "10\n0\n20\n0\n10\n9\n20\n0\n10\n9\n20\n9\n0\nENDSEC\n0\nEOF\n";
+  const std::string said = support::refusal_of([&] { read_text("a.dxf", text, ReadOptions{}); });
+  EXPECT_TRUE(says(said, "a.dxf: expected polygons as GeoJSON"));
+  EXPECT_TRUE(says(said, "GDAL may leave out parts (DXF)"));
+}
+
+TEST(RequireWhole, TakesATableOfWkt) {
+  const Source source =
+      read_text("a.csv", "WKT,height\n\"POLYGON((0 0,9 0,9 9,0 0))\",12\n", ReadOptions{});
+  EXPECT_EQ(source.footprints.size(), 1u);
+}
+
 }  // namespace
 }  // namespace geom::gis

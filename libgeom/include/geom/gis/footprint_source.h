@@ -121,14 +121,14 @@ std::string heights_fault(const Source& source);
 
 // Metres in a unit of heights that name none, in a source of this CRS: what the options say, or the
 // CRS's own vertical part, or 1 where the CRS counts metres or degrees, or there is none. Nothing
-// where it counts something else, as heights may then too.
+// where it counts something else, as heights may then too. Throws InputError(name, …) for depths.
 std::optional<double> height_unit(const std::string& crs, const std::string& name,
                                   const ReadOptions& options);
 
 // The refusal where height_unit() is nothing and a height is needed.
 [[noreturn]] void refuse_heights(const std::string& name, const std::string& crs);
 
-// GeoJSON, GeoPackage, Shapefile, FlatGeobuf and whatever else GDAL reads as polygons. `path` may
+// GeoJSON, GeoPackage, Shapefile, FlatGeobuf, SQLite, KML, GML or CSV with WKT. `path` may
 // be one of GDAL's virtual files; `name` is for messages. Throws InputError.
 Source read_vector(const std::string& path, const std::string& name, const ReadOptions& options);
 
