@@ -88,6 +88,7 @@ CoordinateReference CloudPlace::understood(const CoordinateReference& file,
   out.plane = agreed(file.plane, known.plane, known, source);
   out.up = agreed(file.up, known.up, known, source);
   out.up_unclear = !out.up && (file.up_unclear || known.up_unclear);
+  out.depths = known.depths;
   return out;
 }
 
@@ -129,6 +130,12 @@ void CloudPlace::settle(const CoordinateReference& file, const std::string& sour
   const CoordinateReference told = understood(file, source);
   const bool asked = origin_ || options_.origin_near_points;
   projects_ = asked && !told.crs.empty();
+  if (told.depths) {
+    throw InputError(source, {.expected = "heights that count upwards",
+                              .found = fmt::format("depths, as \"{}\" says", short_name(told)),
+                              .advice = "turn their sign and name a system of heights, or say with "
+                                        "--crs which it is if that name is wrong"});
+  }
   if (told.kind == Kind::no_plane && !projects_) no_metres(source, told);
   plane_ = told.kind != Kind::no_plane;
   const double plane = plane_unit(told, source);

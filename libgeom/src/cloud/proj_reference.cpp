@@ -43,6 +43,15 @@ std::optional<double> axis_unit(PJ_CONTEXT* context, const PJ* system, int axis)
   return unit;
 }
 
+bool points_down(PJ_CONTEXT* context, const PJ* system, int axis) {
+  const Object axes(proj().axes(context, system));
+  const char* direction = nullptr;
+  return axes && axis < proj().axis_count(context, axes.get()) &&
+         proj().axis_info(context, axes.get(), axis, nullptr, nullptr, &direction, nullptr, nullptr,
+                          nullptr, nullptr) &&
+         direction && std::string_view(direction) == "down";
+}
+
 int axis_count(PJ_CONTEXT* context, const PJ* system) {
   const Object axes(proj().axes(context, system));
   return axes ? proj().axis_count(context, axes.get()) : 0;
@@ -132,8 +141,10 @@ std::optional<ProjReference> ProjReference::of(const std::string& text) {
     }
     told.up = axis_unit(context, height.get(), 0);
     told.up_unclear = !told.up;
+    told.depths = points_down(context, height.get(), 0);
   } else if (axis_count(context, axes.get()) > 2) {
     told.up = axis_unit(context, axes.get(), 2);
+    told.depths = points_down(context, axes.get(), 2);
   }
   ProjReference out(std::move(impl));
   out.told_ = std::move(told);

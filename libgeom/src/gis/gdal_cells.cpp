@@ -1,6 +1,7 @@
 #include "gdal_cells.h"
 
 #include <limits>
+#include <string_view>
 #include <vector>
 
 namespace geom::gis {
@@ -8,10 +9,14 @@ namespace {
 
 bool is_opacity(GDALRasterBandH band) { return gdal().colour_meaning(band) == GCI_AlphaBand; }
 
-std::optional<double> value_for_none(GDALRasterBandH band) {
+// Esri's ASCII grids have one of their own where they name none.
+std::optional<double> value_for_none(const DatasetHandle& dataset, GDALRasterBandH band) {
   int given = 0;
   const double none = gdal().no_data(band, &given);
-  if (!given) return std::nullopt;
+  if (!given) {
+    const std::string_view driver = gdal().driver_name(gdal().driver_of(dataset.get()));
+    return driver == "AAIGrid" ? std::optional(-9999.0) : std::nullopt;
+  }
   return gdal().data_type(band) == GDT_Float32 ? static_cast<float>(none) : none;
 }
 
@@ -40,7 +45,7 @@ RasterCells::RasterCells(const DatasetHandle& dataset, const std::string& path,
       opacity_ = {band, gdal().data_type(band) == GDT_UInt16 ? 65535.0 : 255.0};
     }
   }
-  none_ = value_for_none(band_);
+  none_ = value_for_none(dataset, band_);
   scale_ = gdal().raster_scale(band_, nullptr);
   offset_ = gdal().raster_offset(band_, nullptr);
   // GDAL makes a mask of a value for none, too, which is compared here.

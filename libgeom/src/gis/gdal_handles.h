@@ -80,6 +80,20 @@ inline ReferenceHandle reference_named(const std::string& text, const std::strin
   return out;
 }
 
+// Throws InputError(name, …) where a system has a vertical part that counts downwards.
+inline void require_upward(const ReferenceHandle& system, const std::string& name) {
+  OGRAxisOrientation direction = OAO_Other;
+  gdal().axis_of(system.get(), "VERT_CS", 0, &direction);
+  if (direction != OAO_Down) return;
+  const char* const said = gdal().reference_name(system.get());
+  throw InputError(
+      name, {.expected = "heights that count upwards",
+             .found = fmt::format("depths, as the reference system \"{}\" says",
+                                  std::string(said ? said : "").substr(0, 80)),
+             .advice = "turn their sign, for example with `gdal_calc.py`, and name a system of "
+                       "heights"});
+}
+
 // Null where PROJ knows none. Never one that takes two datums for one.
 inline ConversionHandle conversion(const ReferenceHandle& from, const ReferenceHandle& to) {
   const std::unique_ptr<OGRCoordinateTransformationOptions, DestroyConversionOptions> options(

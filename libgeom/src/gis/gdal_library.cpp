@@ -65,6 +65,7 @@ GdalLibrary load() {
           .is_geographic = SKYWAY_FUNCTION(library, OSRIsGeographic),
           .is_local = SKYWAY_FUNCTION(library, OSRIsLocal),
           .is_vertical = SKYWAY_FUNCTION(library, OSRIsVertical),
+          .axis_of = SKYWAY_FUNCTION(library, OSRGetAxis),
           .linear_unit = SKYWAY_FUNCTION(library, OSRGetLinearUnits),
           .angular_unit = SKYWAY_FUNCTION(library, OSRGetAngularUnits),
           .linear_unit_of = SKYWAY_FUNCTION(library, OSRGetTargetLinearUnits),
@@ -144,6 +145,7 @@ GdalLibrary prepared(GdalLibrary library) {
   load_conversion_options(library);
   library.set_error_handler(library.quiet_error_handler);
   library.set_option("OGR_CURRENT_DATE", "2000-01-01T00:00:00Z");  // the same bytes at any time
+  library.set_option("GTIFF_REPORT_COMPD_CS", "YES");  // heights or depths, of all versions
   library.all_register();
   return library;
 }

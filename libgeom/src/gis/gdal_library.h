@@ -70,6 +70,7 @@ struct GdalLibrary {
   decltype(&OSRIsGeographic) is_geographic;
   decltype(&OSRIsLocal) is_local;
   decltype(&OSRIsVertical) is_vertical;
+  decltype(&OSRGetAxis) axis_of;
   decltype(&OSRGetLinearUnits) linear_unit;
   decltype(&OSRGetAngularUnits) angular_unit;
   decltype(&OSRGetTargetLinearUnits) linear_unit_of;

@@ -74,6 +74,7 @@ double metres_per(const std::string& unit, const std::string& name) {
 // What the band says; else as other heights of its CRS.
 double metres_per_unit(GDALRasterBandH band, const std::string& crs, const std::string& name,
                        const ReadOptions& options) {
+  if (!crs.empty()) require_upward(reference_named(crs, name), name);
   const std::string unit = gdal().raster_unit(band);
   if (unit.empty()) {
     const auto metres = height_unit(crs, name, options);

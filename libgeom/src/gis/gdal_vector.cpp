@@ -300,9 +300,10 @@ Source read_vector(const std::string& path, const std::string& name, const ReadO
 
 std::optional<double> height_unit(const std::string& crs, const std::string& name,
                                   const ReadOptions& options) {
-  if (options.height_unit) return options.height_unit;
-  if (crs.empty()) return 1;
+  if (crs.empty()) return options.height_unit.value_or(1);
   const ReferenceHandle system = reference_named(crs, name);
+  require_upward(system, name);
+  if (options.height_unit) return options.height_unit;
   if (gdal().is_vertical(system.get())) {
     return gdal().linear_unit_of(system.get(), "VERT_CS", nullptr);
   }

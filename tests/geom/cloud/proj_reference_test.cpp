@@ -24,6 +24,12 @@ TEST(ProjReference, KnowsUnitsOfThePlaneAndOfHeights) {
   EXPECT_FALSE(ProjReference::of("EPSG:4978")->places());
 }
 
+TEST(ProjReference, KnowsDepths) {
+  EXPECT_TRUE(ProjReference::of("EPSG:32632+5715")->told().depths);
+  EXPECT_FALSE(ProjReference::of("EPSG:32632+5714")->told().depths);
+  EXPECT_FALSE(ProjReference::of("EPSG:25832")->told().depths);
+}
+
 TEST(ProjReference, IsNothingOfOtherText) {
   for (const char* text : {"", "Oregon", "EPSG:1", "PROJCS[\"a\"", "GeoTIFF keys: user-defined"}) {
     EXPECT_FALSE(ProjReference::of(text)) << text;

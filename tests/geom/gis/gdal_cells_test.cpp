@@ -108,6 +108,34 @@ TEST(RasterCells, NumbersHaveTheScaleOfTheirBand) {
   EXPECT_EQ(terrain.surface(middle)->high, 15);
 }
 
+// Esri's format says so.
+TEST(RasterCells, AnAsciiGridThatNamesNoValueForNoneHasOne) {
+  const std::string cells = "-9999 1\n2 3\n";
+  const std::string head = "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 5\n";
+  const MemoryFile silent("silent.asc", head + cells);
+  Source source = read_raster(silent.path(), "silent.asc", {});
+  EXPECT_EQ(source.counts["cells_without_data"], 1u);
+  EXPECT_EQ(source.counts["cells"], 3u);
+  const MemoryFile says_another("another.asc", head + "NODATA_value 2\n" + cells);
+  source = read_raster(says_another.path(), "another.asc", {});
+  EXPECT_EQ(source.counts["cells_without_data"], 1u);
+  EXPECT_EQ(source.footprints.front().bottom, -9999);
+}
+
+TEST(ReadRaster, RefusesDepths) {
+  const MemoryRaster raster({}, [](GDALDataset& made) {
+    OGRSpatialReference depths;
+    depths.SetFromUserInput("EPSG:32632+5715");
+    made.SetSpatialRef(&depths);
+  });
+  for (const std::optional<double> unit : {std::optional<double>(), std::optional<double>(1)}) {
+    ReadOptions options;
+    options.height_unit = unit;
+    EXPECT_TRUE(says(refusal_of([&] { read_raster(raster.path(), "r.tif", options); }),
+                     "r.tif: expected heights that count upwards, found depths"));
+  }
+}
+
 TEST(NumberBands, AreAllButOpacity) {
   const MemoryRaster raster({.bands = 3}, [](GDALDataset& made) {
     made.GetRasterBand(3)->SetColorInterpretation(GCI_AlphaBand);

@@ -28,6 +28,7 @@ struct CoordinateReference {
   std::optional<double> plane;  // metres in a unit of x and y, where that is told
   std::optional<double> up;     // of z, where it is told apart
   bool up_unclear = false;      // heights have a reference of their own whose unit is not told
+  bool depths = false;          // z counts downwards (only PROJ tells)
   std::optional<int> epsg;      // the code of x and y, where it is told
   std::string name;             // for messages
 
