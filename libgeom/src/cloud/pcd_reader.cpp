@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <liblzf/lzf.h>
 
 #include <iterator>
@@ -89,11 +90,31 @@ class PcdReader {
       if (key == "WIDTH") width_ = whole(values, key);
       if (key == "HEIGHT") height_ = whole(values, key);
       if (key == "POINTS") points_ = whole(values, key);
+      if (key == "VIEWPOINT") require_plain_viewpoint(values);
       if (key != "DATA") continue;
       make_fields(names, sizes, types, counts);
       return values.empty() ? "" : values[0];
     }
     refuse({.says = "expected a PCD header with FIELDS, SIZE, TYPE and DATA, and it is cut short"});
+  }
+
+  // Where the sensor stood: x, y, z, and a quaternion w, x, y, z. Some programs leave the points in
+  // the frame of the sensor, which the viewpoint then moves to the world; others write points of
+  // the world. Nothing in the file tells which.
+  void require_plain_viewpoint(const std::vector<std::string>& values) const {
+    constexpr std::size_t kNumbers = 7;
+    constexpr std::size_t kW = 3;  // alone, it turns nothing
+    bool plain = values.size() == kNumbers;
+    for (std::size_t i = 0; i < values.size() && plain; ++i) {
+      const auto value = parse_number(values[i]);
+      plain = value && (i == kW || *value == 0);
+    }
+    if (plain) return;
+    refuse({.expected = "VIEWPOINT 0 0 0 1 0 0 0",
+            .found = in_quotes(fmt::format("{}", fmt::join(values, " ")).substr(0, 80)),
+            .advice = "some programs mean that it moves the points, others that it is where the "
+                      "sensor stood; move the points if they need it, then write VIEWPOINT 0 0 0 1 "
+                      "0 0 0"});
   }
 
   std::uint64_t whole(const std::vector<std::string>& values, const std::string& key) const {

@@ -157,6 +157,23 @@ TEST(Pcd, RefusesARowOfMoreNumbersThanItsFields) {
 }
 
 // Elements that join vertices make surfaces or lines, whatever they are called.
+// Some programs leave the points in the frame of the sensor, others do not.
+TEST(ReadPcd, RefusesAViewpointThatMayMoveThePoints) {
+  const auto refusal = [](const std::string& viewpoint) {
+    return support::refusal_of([&] {
+      read_as_pcd("FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nVIEWPOINT" + viewpoint +
+                  "\nWIDTH 1\nHEIGHT 1\nDATA ascii\n1 2 3\n");
+    });
+  };
+  for (const char* plain : {" 0 0 0 1 0 0 0", " 0.0 0 -0 1.0 0 0 0", " 0 0 0 0 0 0 0"}) {
+    EXPECT_EQ(refusal(plain), "") << plain;
+  }
+  for (const char* other : {" 100 0 50 1 0 0 0", " 0 0 0 0.7 0 0 0.7", " 0 0 1e-3 1 0 0 0", "",
+                            " 0 0 0", " 0 0 0 1 0 0 nan"}) {
+    EXPECT_TRUE(support::says(refusal(other), "test.pcd:4: expected VIEWPOINT 0 0 0 1 0 0 0"));
+  }
+}
+
 TEST(Ply, CountsElementsThatMayBeSurfaces) {
   const auto skipped = [](const std::string& element, const std::string& row) {
     std::istringstream in(
