@@ -19,7 +19,7 @@ struct MemoryRasterSpec {
   std::function<double(int column, int row)> cell = [](int, int) { return 0.0; };
   std::vector<double> transform = {500000, 5, 0, 5500020, 0, -5};
   int epsg = 32632;  // 0: none
-  int bands = 1;  // each with the same cells
+  int bands = 1;     // each with the same cells
 };
 
 // A GeoTIFF of numbers of 32 bits. `finish` may change it before it is closed.

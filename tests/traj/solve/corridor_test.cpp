@@ -218,8 +218,8 @@ TEST(BoxCorridor, LeadsThroughEmptyBoxesFromStartToGoal) {
 
 // Boxes come nearer and nearer to the wall, and never past it.
 TEST(BoxCorridor, IsEmptyForAPathThatMeetsAnObstacle) {
-  const geom::CollisionScene scene = testing::scene_of(
-      {{Vec3(20, -20, 0), Vec3(21, 20, 40)}}, {Vec3(-90, -90, 0), Vec3(90, 90, 150)});
+  const geom::CollisionScene scene = testing::scene_of({{Vec3(20, -20, 0), Vec3(21, 20, 40)}},
+                                                       {Vec3(-90, -90, 0), Vec3(90, 90, 150)});
   testing::Random random(5);
   for (int i = 0; i < 200; ++i) {
     const Vec3 from(random.number(-50, 10), random.number(-15, 15), random.number(2, 30));

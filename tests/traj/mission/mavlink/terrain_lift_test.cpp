@@ -237,8 +237,7 @@ TEST(RaisedOverTerrain, TakesAsLongAgainAsItRisesWithTheGround) {
     }
   }
   EXPECT_GT(level, 40 / 2.5 + way / 10);
-  EXPECT_NEAR(fly(mission_over(kLoop), model, 0).least_seconds, level + rise / 1.5,
-              0.15 * rise);
+  EXPECT_NEAR(fly(mission_over(kLoop), model, 0).least_seconds, level + rise / 1.5, 0.15 * rise);
 }
 
 TEST(RaisedOverTerrain, LandsOnTheGroundBelow) {
