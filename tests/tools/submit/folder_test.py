@@ -482,7 +482,7 @@ def main():
             terrain = make_over_terrain(where)
             checked = tool("check", terrain)
             assert checked.returncode == 0 and json.loads(checked.stdout)["not_verified"] == [
-                "that population.csv is of town-ground.tif"], checked
+                "that population.csv is of town-ground.tif", "that terrain.ground is of hill.ground"], checked
             followed = run(sys.executable, "-B", terrain / "verify/verify_folder.py", terrain)
             assert followed.returncode == 0, followed.stdout
             keep_their_schemas(terrain, checked.stdout)
