@@ -98,10 +98,10 @@ void refuse_idle(const CLI::App& app, const Changes& changes) {
 
 void warn_of_zones(const BoxMap& map, const cli::Common& common) {
   for (const geom::ZoneSource& zone : geom::zone_sources(map.spec())) {
-    common.warn(fmt::format(
-        "--remove: boxes of the zones of {} may be among them, so no report names it as closed any "
-        "more; patch it in again",
-        zone.file));
+    common.warn(
+        fmt::format("--remove: the boxes may be of zones of {}, so reports no longer name it; "
+                    "patch it in again",
+                    zone.file));
   }
 }
 

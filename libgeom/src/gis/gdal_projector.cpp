@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 
 #include "gdal_handles.h"
 #include "geom/gis/footprint_source.h"
@@ -154,7 +155,7 @@ Projector::Projector(Source& source, const std::string& name, const std::optiona
     require_near(at, middle, name, source.warnings);
   }
   if (gdal().is_geographic(from.get())) {
-    turn_ = 2 * M_PI / gdal().angular_unit(from.get(), nullptr);
+    turn_ = 2 * std::numbers::pi / gdal().angular_unit(from.get(), nullptr);
   }
   const std::string local = plane_about(at);
   transformation_->to_local = conversion(from, reference_named(local, name));

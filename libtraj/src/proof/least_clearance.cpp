@@ -104,8 +104,8 @@ class Search {
     return {geom::grow(scene_.map().box(i), scene_.vehicle().half), times_.of(i)};
   }
 
-  // Measures boxes around the part that are there at its times, so that there is something to
-  // compare with where the nearest ones may be there at others. False where none is.
+  // Measures the boxes near the part that are there at its times. The search needs a first
+  // distance, and the nearest box of all may be there at other times. False where there is none.
   bool measure_around(const Part& part) {
     const Vec3 middle = middle_of(part);
     double reach = kNear + scene_.nearest(middle, kInfinity)->distance;

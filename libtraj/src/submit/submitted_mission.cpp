@@ -98,9 +98,9 @@ std::optional<std::string> SubmittedMission::why_no_times() const {
     return mission_.endless + ": nobody knows how long it takes, so it has no volumes";
   }
   if (method_.risk.contingency == ContingencyRule::ways_home && !mission_.returns_if_lost) {
-    return "the file says that the aircraft does not return when its link is lost "
-           "(executeRCLostAction, exitOnRCLost): plan it to return, or leave --contingency return "
-           "out";
+    return "the aircraft does not return when its link is lost, by the file (of DJI: "
+           "executeRCLostAction, exitOnRCLost) or by its parameters (NAV_RCL_ACT, NAV_DLL_ACT; "
+           "FS_THR_ENABLE, FS_GCS_ENABLE): set it to return, or leave --contingency return out";
   }
   if (!mission_.rally.empty()) {
     return "it ends at home or at one of its rally points, and volumes are made for one end: leave "

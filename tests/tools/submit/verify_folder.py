@@ -444,8 +444,8 @@ def verdict(claims):
     out = f"{len(claims)} flights: files, certificates, volumes and claims hold"
     if not missions:
         return out
-    return f"{len(claims)} flights: files and certificates hold; of {missions} missions only the sizes around their volumes " \
-           "were followed, not that these hold them, nor their clearance and time (skyway-check FOLDER proves both)"
+    return f"{len(claims)} flights, missions among them: {missions}; files, certificates and sizes hold; only skyway-check FOLDER " \
+           "proves where a mission is flown, its clearance and its time"
 
 
 def main():

@@ -167,8 +167,8 @@ class Terrain {
     double high;
     bool whole = true;  // no cell under the region is unknown or outside of the raster
   };
-  // Of the cells that the rectangle (x and y in `crs`) touches and those beside them that have a
-  // height; nothing where none has.
+  // Over the cells that the rectangle (x and y in `crs`) touches, and their neighbours, as far as
+  // they have a height; nothing where none has.
   std::optional<Range> range(const Vec2& low, const Vec2& high, const std::string& crs) const;
 
   // Of the surface within the rectangle around these points (x and y in the raster's own system),

@@ -46,9 +46,9 @@ ZoneSource zone_source(const ZoneFile& file, const ZoneBoxes& boxes);
 // As JSON, for a step of a history.
 nlohmann::ordered_json to_json(const ZoneSource& source);
 
-// All of a map's history, with those of maps that were joined; none of those after which boxes were
-// removed (skyway-map patch --remove), which may be theirs. Throws InputError("the map's
-// history", …) where it is not as to_json() writes it.
+// All of a map's history, with those of maps that were joined. A source is left out if boxes were
+// removed after it (skyway-map patch --remove), because these may be boxes of its zones. Throws
+// InputError("the map's history", …) where it is not as to_json() writes it.
 std::vector<ZoneSource> zone_sources(const BoxMapSpec& spec);
 
 }  // namespace geom

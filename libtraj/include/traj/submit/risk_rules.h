@@ -11,11 +11,11 @@
 // The terms are those of SORA 2.5: the flight geography holds the flight, the contingency volume
 // what is flown when something goes wrong, and the ground risk buffer where the vehicle may come
 // down. The sizes are those of LBA's guideline (Luftfahrt-Bundesamt: dimensioning of flight
-// geography, contingency volume and ground risk buffer), with numbers that the operator may choose.
-// They give the twelve distances for multirotors that BBK and LBA publish (STS-BOS 1.0 of June
-// 2025, tables 1 and 2: 30 degrees, 1 m of height), to their decimetre. SORA's Annex A, whose
-// chapter A.5 is about flight areas, was not read: nothing here claims that it asks for no more. No
-// instance of these rules proves that a vehicle behaves so: they are assumptions.
+// geography, contingency volume and ground risk buffer); the operator chooses their numbers. BBK
+// and LBA publish twelve distances for multirotors (STS-BOS 1.0 of June 2025, tables 1 and 2: 30
+// degrees, 1 m of height). These sizes give all twelve, to the decimetre. Chapter A.5 of SORA's
+// Annex A is about flight areas; it was not read, and may ask for more. The rules are assumptions:
+// nothing proves that a vehicle behaves so.
 
 #include <string_view>
 #include <vector>

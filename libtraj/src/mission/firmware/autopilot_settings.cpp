@@ -7,6 +7,7 @@
 #include <istream>
 #include <iterator>
 #include <numbers>
+#include <utility>
 
 #include "geom/base/error.h"
 #include "geom/text/excerpt.h"
@@ -264,6 +265,22 @@ void take_unknown_ways(const AutopilotSettings& settings, Autopilot& out) {
   }
 }
 
+// What it does when a link is lost: of the remote control, or of the ground station. One of them
+// that makes it return is enough, since many fly with one link alone.
+void take_lost_links(const AutopilotSettings& settings, Autopilot& out) {
+  constexpr std::pair<const char*, double> kReturns[] = {
+      {"NAV_RCL_ACT", 2}, {"NAV_DLL_ACT", 2}, {"FS_THR_ENABLE", 1}, {"FS_GCS_ENABLE", 1}};
+  bool said = false;
+  bool returns = false;
+  for (const auto& [name, value] : kReturns) {
+    const auto found = settings.values.find(name);
+    if (found == settings.values.end()) continue;
+    said = true;
+    returns = returns || found->second == value;
+  }
+  out.returns_if_lost = returns || !said;
+}
+
 // ArduPilot's fence, which is off by default, keeps a return below it (ModeRTL), and rally points
 // within it (AP_Rally_Copter::is_valid).
 void take_fence(const AutopilotSettings& settings, Autopilot& out) {
@@ -391,6 +408,7 @@ SetAutopilot set_autopilot(const AutopilotSettings& settings, const std::vector<
     take_terrain(settings, source, out.autopilot);
   }
   take_unknown_ways(settings, out.autopilot);
+  take_lost_links(settings, out.autopilot);
   take_overrides(settings, out.autopilot);
   return out;
 }

@@ -24,7 +24,7 @@ double slowest(std::span<const Autopilot> autopilots, double Autopilot::*speed, 
 }  // namespace
 
 MissionClock::MissionClock(std::span<const Autopilot> autopilots)
-    : speed_(slowest(autopilots, &Autopilot::speed, kUsual)),
+    : own_speed_(slowest(autopilots, &Autopilot::speed, kUsual)),
       climb_(slowest(autopilots, &Autopilot::climb, kUsualRise)),
       descent_(slowest(autopilots, &Autopilot::descent, kUsualRise)) {}
 

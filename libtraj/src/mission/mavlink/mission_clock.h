@@ -1,6 +1,7 @@
 #pragma once
 
-// How long a mission takes at least, leg by leg: an estimate, without what speeding up costs.
+// How long a mission takes at least: an estimate. It counts every leg, hold and turn that is flown,
+// and not what speeding up costs; mission_time() counts that, of waypoints alone.
 
 #include <span>
 
@@ -13,7 +14,9 @@ class MissionClock {
  public:
   explicit MissionClock(std::span<const Autopilot> autopilots);
 
-  void say_speed(double speed) { speed_ = speed; }  // m/s, from here on; likewise
+  // m/s, from here on.
+  void say_speed(double speed) { speed_ = speed; }
+  void say_no_speed() { speed_ = own_speed_; }
   void say_climb(double speed) { climb_ = speed; }
   void say_descent(double speed) { descent_ = speed; }
 
@@ -24,7 +27,8 @@ class MissionClock {
   double seconds() const { return seconds_; }
 
  private:
-  double speed_;
+  double own_speed_;
+  double speed_ = own_speed_;
   double climb_;
   double descent_;
   double seconds_ = 0;

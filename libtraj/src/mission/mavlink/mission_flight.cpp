@@ -58,6 +58,8 @@ class Flight {
     }
     flown_.path_stray = kMissionStray;
     flown_.least_seconds = clock_.seconds();
+    flown_.returns_if_lost = std::all_of(rules_.autopilots.begin(), rules_.autopilots.end(),
+                                         [](const Autopilot& one) { return one.returns_if_lost; });
     if (flown_.endless_jumps > 0) flown_.endless = "it jumps back for ever";
     flown_.counts_from_sea = places_.counts_from_sea();
     if (flown_.counts_from_sea) flown_.path_stray.z() += frame_.sea_error();
@@ -457,6 +459,7 @@ class Flight {
       clock_.say_speed(speed);
     } else if (speed != -1) {
       track_.say_no_speed();
+      clock_.say_no_speed();
     }
   }
 

@@ -93,6 +93,17 @@ TEST(AutopilotSettings, KnowNoWayOfAReturnRoundFencesOverTerrainOrToABeacon) {
   EXPECT_FALSE(set("NAV_ACC_RAD,2\nRTL_PLD_MD,1\n").autopilot.returns_home);
 }
 
+TEST(AutopilotSettings, SayWhetherALostLinkMakesItReturn) {
+  const auto returns = [](const std::string& text) { return set(text).autopilot.returns_if_lost; };
+  EXPECT_TRUE(returns("NAV_ACC_RAD,2\n")) << "nothing is said";
+  EXPECT_TRUE(returns("NAV_ACC_RAD,2\nNAV_RCL_ACT,2\nNAV_DLL_ACT,0\n")) << "one of two links";
+  EXPECT_FALSE(returns("NAV_ACC_RAD,2\nNAV_RCL_ACT,1\nNAV_DLL_ACT,0\n"));
+  EXPECT_FALSE(returns("NAV_ACC_RAD,2\nNAV_RCL_ACT,3\n"));
+  EXPECT_TRUE(returns("RTL_ALT,1500\nFS_THR_ENABLE,1\n"));
+  EXPECT_FALSE(returns("RTL_ALT,1500\nFS_THR_ENABLE,3\n"));
+  EXPECT_FALSE(returns("RTL_ALT,1500\nFS_THR_ENABLE,0\nFS_GCS_ENABLE,4\n"));
+}
+
 TEST(AutopilotSettings, SayWhatLeavesAMissionsWay) {
   EXPECT_TRUE(set("RTL_ALT,1500\n").autopilot.keeps_to_legs);
   EXPECT_FALSE(set("RTL_ALT,1500\nOA_TYPE,2\n").autopilot.keeps_to_legs);

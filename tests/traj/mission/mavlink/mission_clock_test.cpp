@@ -39,6 +39,14 @@ TEST(MissionClock, CountsEachLegAtItsOwnSpeed) {
   EXPECT_NEAR(slow - fast, 76.1 / 0.5 - 76.1 / 10, 0.5);
 }
 
+TEST(MissionClock, CountsTheVehiclesOwnSpeedWhereTheFileSaysNoOther) {
+  const MissionItem leg = at(kWaypoint, {}, kEast);
+  const MissionItem back = at(kWaypoint, {}, 0);
+  const double own = flown({leg, back}).least_seconds;
+  EXPECT_NEAR(flown({speed(1, 100), speed(1, -2), leg, back}).least_seconds, own, 1e-9);
+  EXPECT_LT(flown({speed(1, 100), speed(1, -1), leg, back}).least_seconds, own) << "-1: as it is";
+}
+
 TEST(MissionClock, CountsRatesOfClimbAndDescent) {
   const double usual = flown({at(kWaypoint, {}, 0, 50), at(kWaypoint, {}, 0, 20)}).least_seconds;
   const double climb =

@@ -65,7 +65,8 @@ struct Autopilot {
   bool rally_adds = false;      // to a rally point it returns so high above that point
   bool returns_home = true;     // false: nobody knows where a return goes (RTL_TYPE, OA_TYPE, ...)
   bool keeps_to_legs = true;  // false: it goes round obstacles as it likes (OA_TYPE, COM_OBS_AVOID)
-  bool lands_below = true;    // false: it lands beside a beacon (PLND_ENABLED)
+  bool returns_if_lost = true;  // false: parameters say that no lost link makes it return
+  bool lands_below = true;      // false: it lands beside a beacon (PLND_ENABLED)
 
   // Heights above terrain: ArduPilot's alone.
   double terrain_spacing = 0;  // m between the posts of its terrain: TERRAIN_SPACING

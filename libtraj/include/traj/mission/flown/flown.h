@@ -78,8 +78,8 @@ struct FlownMission : FlownLegs {
   // vehicle's height in it is not known at any instant.
   std::optional<TerrainClaim> terrain = {};
   double least_seconds = 0;     // that it takes, leg by leg; an estimate. 0: nobody knows
-  std::string endless = {};     // what of it takes as long as nobody knows; empty: nothing
-  bool returns_if_lost = true;  // when its link is lost; false where the file says otherwise
+  std::string endless = {};     // why nobody knows how long it takes; empty: that is known
+  bool returns_if_lost = true;  // when its link is lost; false where file or parameters say no
 };
 
 // How far a vehicle may be from the places that a mission says, along each axis: latitudes and
