@@ -1,7 +1,8 @@
 #include "methods.h"
 
-#include <memory>
 #ifdef SKYWAY_OMPL
+#include "geom/base/error.h"
+#include "geom/base/loaded_library.h"
 #include "ompl_planners.h"
 #endif
 
@@ -12,8 +13,21 @@ namespace {
 template <OmplPlanner planner>
 plan::bench::Method ompl(const geom::CollisionScene& scene,
                          const plan::bench::MethodOptions& options) {
-  const auto adapter = std::make_shared<OmplAdapter>(scene, planner, options.seconds, options.seed);
-  return [adapter](const geom::PlanQuery& query) { return adapter->plan(query); };
+  if (!scene.free_bounds()) {
+    throw geom::InputError("map",
+                           {.says = "the vehicle does not fit between the bounds of the map"});
+  }
+  const geom::LoadedLibrary module(SKYWAY_OMPL, "skyway");
+  const auto make = SKYWAY_FUNCTION(module, skyway_ompl_method);
+  plan::bench::Method out;
+  make({.bounds = *scene.free_bounds(),
+        .is_point_free = [&scene](const geom::Vec3& p) { return scene.free(p); },
+        .is_segment_free = [&scene](const geom::Vec3& a,
+                                    const geom::Vec3& b) { return scene.free(a, b); },
+        .seconds = options.seconds,
+        .seed = options.seed},
+       planner, out);
+  return out;
 }
 #endif
 

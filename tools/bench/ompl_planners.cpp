@@ -9,7 +9,6 @@
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
-#include "geom/base/error.h"
 #include "geom/base/thread_seconds.h"
 
 namespace bench {
@@ -28,11 +27,11 @@ geom::Vec3 position(const ob::State* state) {
 // Edges are decided exactly, not by states along them.
 class ExactMotion : public ob::MotionValidator {
  public:
-  ExactMotion(const ob::SpaceInformationPtr& space, const geom::CollisionScene& scene)
-      : MotionValidator(space), scene_(scene) {}
+  ExactMotion(const ob::SpaceInformationPtr& space, const OmplProblem& problem)
+      : MotionValidator(space), is_free_(problem.is_segment_free) {}
 
   bool checkMotion(const ob::State* a, const ob::State* b) const override {
-    const bool free = scene_.free(position(a), position(b));
+    const bool free = is_free_(position(a), position(b));
     ++(free ? valid_ : invalid_);
     return free;
   }
@@ -47,77 +46,75 @@ class ExactMotion : public ob::MotionValidator {
   }
 
  private:
-  const geom::CollisionScene& scene_;
+  std::function<bool(const geom::Vec3&, const geom::Vec3&)> is_free_;
 };
 
-ob::StateSpacePtr space_of(const geom::CollisionScene& scene) {
-  if (!scene.free_bounds()) {
-    throw geom::InputError("map",
-                           {.says = "the vehicle does not fit between the bounds of the map"});
-  }
+ob::StateSpacePtr space_of(const geom::Aabb& box) {
   auto space = std::make_shared<Space>(3);
   ob::RealVectorBounds bounds(3);
   for (unsigned k = 0; k < 3; ++k) {
-    bounds.setLow(k, scene.free_bounds()->min[k]);
-    bounds.setHigh(k, scene.free_bounds()->max[k]);
+    bounds.setLow(k, box.min[k]);
+    bounds.setHigh(k, box.max[k]);
   }
   space->setBounds(bounds);
   return space;
 }
 
-}  // namespace
-
-struct OmplAdapter::Impl {
-  OmplPlanner planner;
-  double seconds;
-  og::SimpleSetup setup;
-
-  Impl(const geom::CollisionScene& scene, OmplPlanner which, double limit)
-      : planner(which), seconds(limit), setup(space_of(scene)) {
-    const ob::SpaceInformationPtr& space = setup.getSpaceInformation();
-    setup.setStateValidityChecker(
-        [&scene](const ob::State* state) { return scene.free(position(state)); });
-    space->setMotionValidator(std::make_shared<ExactMotion>(space, scene));
+class Adapter {
+ public:
+  Adapter(const OmplProblem& problem, OmplPlanner planner)
+      : planner_(planner), seconds_(problem.seconds), setup_(space_of(problem.bounds)) {
+    const ob::SpaceInformationPtr& space = setup_.getSpaceInformation();
+    setup_.setStateValidityChecker([is_free = problem.is_point_free](const ob::State* state) {
+      return is_free(position(state));
+    });
+    space->setMotionValidator(std::make_shared<ExactMotion>(space, problem));
     if (planner == OmplPlanner::rrt_connect) {
-      setup.setPlanner(std::make_shared<og::RRTConnect>(space));
+      setup_.setPlanner(std::make_shared<og::RRTConnect>(space));
     } else {
-      setup.setPlanner(std::make_shared<og::InformedRRTstar>(space));
+      setup_.setPlanner(std::make_shared<og::InformedRRTstar>(space));
     }
   }
+
+  plan::bench::Answer plan(const geom::PlanQuery& query) {
+    setup_.clear();
+    ob::ScopedState<Space> start(setup_.getStateSpace());
+    ob::ScopedState<Space> goal(setup_.getStateSpace());
+    for (unsigned k = 0; k < 3; ++k) {
+      start[k] = query.from[k];
+      goal[k] = query.to[k];
+    }
+    setup_.setStartAndGoalStates(start, goal);
+    if (planner_ == OmplPlanner::rrt_connect) {
+      setup_.solve(seconds_);  // wall: it stops at its first path, and a CPU clock costs more
+    } else {
+      const double end = geom::thread_seconds() + seconds_;
+      setup_.solve(
+          ob::PlannerTerminationCondition([end] { return geom::thread_seconds() >= end; }));
+    }
+    if (!setup_.haveExactSolutionPath()) return {geom::PathStatus::stopped, {}, std::nullopt};
+    if (planner_ == OmplPlanner::rrt_connect) setup_.simplifySolution();
+    plan::bench::Answer answer{geom::PathStatus::found, {}, std::nullopt};
+    for (const ob::State* state : setup_.getSolutionPath().getStates()) {
+      answer.path.push_back(position(state));
+    }
+    return answer;
+  }
+
+ private:
+  OmplPlanner planner_;
+  double seconds_;
+  og::SimpleSetup setup_;
 };
 
-OmplAdapter::OmplAdapter(const geom::CollisionScene& scene, OmplPlanner planner, double seconds,
-                         std::uint64_t seed) {
-  ompl::msg::noOutputHandler();
-  ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(seed % 0xffffffffu + 1));  // 0 means the clock
-  impl_ = std::make_unique<Impl>(scene, planner, seconds);
-}
-
-OmplAdapter::~OmplAdapter() = default;
-
-plan::bench::Answer OmplAdapter::plan(const geom::PlanQuery& query) {
-  og::SimpleSetup& setup = impl_->setup;
-  setup.clear();
-  ob::ScopedState<Space> start(setup.getStateSpace());
-  ob::ScopedState<Space> goal(setup.getStateSpace());
-  for (unsigned k = 0; k < 3; ++k) {
-    start[k] = query.from[k];
-    goal[k] = query.to[k];
-  }
-  setup.setStartAndGoalStates(start, goal);
-  if (impl_->planner == OmplPlanner::rrt_connect) {
-    setup.solve(impl_->seconds);  // wall: it stops at its first path, and a CPU clock costs more
-  } else {
-    const double end = geom::thread_seconds() + impl_->seconds;
-    setup.solve(ob::PlannerTerminationCondition([end] { return geom::thread_seconds() >= end; }));
-  }
-  if (!setup.haveExactSolutionPath()) return {geom::PathStatus::stopped, {}, std::nullopt};
-  if (impl_->planner == OmplPlanner::rrt_connect) setup.simplifySolution();
-  plan::bench::Answer answer{geom::PathStatus::found, {}, std::nullopt};
-  for (const ob::State* state : setup.getSolutionPath().getStates()) {
-    answer.path.push_back(position(state));
-  }
-  return answer;
-}
-
+}  // namespace
 }  // namespace bench
+
+void skyway_ompl_method(const bench::OmplProblem& problem, bench::OmplPlanner planner,
+                        plan::bench::Method& out) {
+  ompl::msg::noOutputHandler();
+  constexpr std::uint64_t kSeeds = 0xffffffff;  // 0 means the clock
+  ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(problem.seed % kSeeds + 1));
+  const auto adapter = std::make_shared<bench::Adapter>(problem, planner);
+  out = [adapter](const geom::PlanQuery& query) { return adapter->plan(query); };
+}
