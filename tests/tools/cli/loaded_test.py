@@ -10,9 +10,8 @@ import re
 import subprocess
 import sys
 
-EVERY = {"libz", "libsimdjson", "libmpfr", "libgmp", "libfmt", "libstdc++", "libm", "libgcc_s", "libc", "ld-linux-x86-64"}
-FURTHER = {"skyway-render": {"libpng16"}, "skyway-view": {"libpng16", "libwebp"}, "skyway-submit": {"libpng16", "libwebp"},
-           "skyway-cloud": {"libpcl_common", "liblz4", "libgomp"}}
+EVERY = {"libsimdjson", "libfmt", "libstdc++", "libm", "libgcc_s", "libc", "ld-linux-x86-64"}
+FURTHER = {"skyway-cloud": {"libpcl_common", "libgomp"}}
 
 tools = pathlib.Path(sys.argv[1])
 source = pathlib.Path(sys.argv[2])
