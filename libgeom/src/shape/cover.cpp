@@ -73,18 +73,40 @@ class Slabs {
     levels_.erase(std::unique(levels_.begin(), levels_.end()), levels_.end());
   }
 
-  // With `at_corners` a slab that reaches a corner's level ends at one, else as far as it may. Ends
-  // early, with `most` or more rectangles, where there are not fewer.
-  std::vector<Rectangle> cover(bool at_corners, std::size_t most) {
-    at_corners_ = at_corners;
+  // Slabs that end at a corner's level where they reach one. Ends early, with `most` or more
+  // rectangles, where there are not fewer.
+  std::vector<Rectangle> cover_to_corners(std::size_t most) {
+    at_corners_ = true;
+    fork_.reset();
+    return cover_from({levels_.empty() ? 0 : levels_.front(), 0, {}}, {}, most);
+  }
+
+  // Slabs that each reach as far as they may. `to_corners`: what cover_to_corners() gave last, with
+  // which they begin.
+  std::vector<Rectangle> cover_far(const std::vector<Rectangle>& to_corners, std::size_t most) {
+    if (!fork_) return to_corners;
+    at_corners_ = false;
+    return cover_from(*fork_, {to_corners.begin(), to_corners.begin() + fork_->count}, most);
+  }
+
+ private:
+  // Where a slab begins.
+  struct Begin {
+    double y0;
+    std::ptrdiff_t count;  // of the rectangles below
+    SlackGauge::Refusal refusal;
+  };
+
+  std::vector<Rectangle> cover_from(Begin first, std::vector<Rectangle> out, std::size_t most) {
     next_ = 0;
     level_ = 0;
     begun_.clear();
-    std::vector<Rectangle> out;
-    for (double y0 = edges_.empty() ? 0 : levels_.front();
-         !edges_.empty() && y0 < levels_.back();) {
+    gauge_.set_refusal(first.refusal);
+    for (double y0 = first.y0; !edges_.empty() && y0 < levels_.back();) {
       begin(y0);
+      const Begin here{y0, std::ssize(out), gauge_.refusal()};
       const double y1 = furthest(y0);
+      if (is_at_corner_ && !fork_) fork_ = here;
       for (const Rectangle& r : rectangles(y0, y1)) out.push_back(r);
       if (out.size() >= most) return out;
       y0 = is_straight_ ? cover_straight(y0, y1, out) : y1;
@@ -94,7 +116,6 @@ class Slabs {
     return out;
   }
 
- private:
   void add(const std::vector<Vec2>& ring, int index) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Vec2& a = ring[i];
@@ -195,6 +216,7 @@ class Slabs {
     const double straight = std::max(sure, y0 + height_);
     const double more = straight + too_much();
     is_straight_ = more < levels_[level_] && !valid(y0, more);
+    is_at_corner_ = false;
     if (is_straight_) return straight;
     double good = sure;
     double bad = kInfinity;
@@ -207,7 +229,8 @@ class Slabs {
       }
       good = levels_[level];
     }
-    if (good >= top || (at_corners_ && good > sure)) return good;
+    is_at_corner_ = at_corners_ && good > sure && good < top;
+    if (good >= top || is_at_corner_) return good;
     const double most = good + 8 * slack_;
     if (bad <= most) return between(y0, good, bad);
     return valid(y0, most) ? most : between(y0, good, most);
@@ -221,15 +244,16 @@ class Slabs {
     for (double least_bad = bad;;) {
       double low = good;
       double high = bad;
+      if (guess) follow_corner(good, bad);
       for (int i = 0; i < 6; ++i) {
         const double middle = 0.5 * (low + high);
         const bool refused =
-            middle >= least_bad || (guess ? corner_refuses(middle) : !valid(y0, middle));
+            middle >= least_bad || (guess ? gauge_.corner_refuses(middle) : !valid(y0, middle));
         (refused ? high : low) = middle;
       }
       if (!guess || low == good || valid(y0, low)) return low;
       least_bad = low;
-      guess = corner_refuses(low);  // else something that corners do not tell
+      guess = gauge_.refuses_again();  // else something that corners do not tell
     }
   }
 
@@ -283,10 +307,10 @@ class Slabs {
     return SlackGauge::surely_near(slack_) * out;
   }
 
-  // Whether the corner that refused the last slab surely refuses this one.
-  bool corner_refuses(double y1) {
-    reach_to(y1);
-    return gauge_.refuses_again();
+  // Prepares the gauge to ask the corner that refused the last slab about slabs between these.
+  void follow_corner(double good, double bad) {
+    reach_to(bad);
+    gauge_.follow_corner(good);
   }
 
   // Whether the slab's rectangles stay within the slack.
@@ -315,6 +339,8 @@ class Slabs {
   std::size_t next_ = 0;                 // the first edge that begins above the slab's lower end
   std::size_t given_ = 0;                // the first that the gauge does not know
   std::vector<const CoverEdge*> begun_;  // those before it that are still near
+  std::optional<Begin> fork_;            // the first that would reach further than to a corner
+  bool is_at_corner_ = false;            // and might go on
   bool is_straight_ = false;             // between two corners, and as high as it may be there
   double height_ = 0;                    // that one may have between two corners
   std::vector<Span> spans_;
@@ -491,21 +517,27 @@ std::vector<Rectangle> cover(const Polygon& polygon, double slack) {
   if (const auto one = one_rectangle(polygon, slack)) return {*one};
   const Polygon turned = transposed(polygon);
   if (auto pieces = long_pieces(polygon, turned, slack); !pieces.empty()) return pieces;
-  Slabs along(polygon, slack);
-  std::vector<Rectangle> best = along.cover(true, kAny);
-  const auto consider = [&](std::vector<Rectangle> other) {
-    if (other.size() < best.size()) best = std::move(other);
-  };
-  if (best.size() <= 1) return best;
-  consider(along.cover(false, best.size()));
-  Slabs upright(turned, slack);
-  for (const bool at_corners : {true, false}) {
-    std::vector<Rectangle> across = upright.cover(at_corners, best.size());
-    for (Rectangle& r : across) {
+  std::vector<Rectangle> best;
+  std::size_t most = kAny;
+  bool is_turned = false;
+  for (const bool turn : {false, true}) {
+    Slabs slabs(turn ? turned : polygon, slack);
+    const auto consider = [&](const std::vector<Rectangle>& other) {
+      if (other.size() >= most) return;
+      best = other;
+      most = best.size();
+      is_turned = turn;
+    };
+    const std::vector<Rectangle> to_corners = slabs.cover_to_corners(most);
+    consider(to_corners);
+    if (most <= 1) break;
+    consider(slabs.cover_far(to_corners, most));
+  }
+  if (is_turned) {
+    for (Rectangle& r : best) {
       std::swap(r.min.x(), r.min.y());
       std::swap(r.max.x(), r.max.y());
     }
-    consider(std::move(across));
   }
   return best;
 }

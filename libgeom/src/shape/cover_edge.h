@@ -88,18 +88,21 @@ class Winding {
     counted_ = false;
   }
 
-  void count(const CoverEdge& edge) {
-    counted_ = true;
-    int& turns = turns_[static_cast<std::size_t>(edge.ring)];
-    const bool around = turns != 0;
-    turns += edge.turn;
-    if (edge.ring != 0 && around != (turns != 0)) around ? --holes_ : ++holes_;
-  }
+  void count(const CoverEdge& edge) { turn(edge, edge.turn); }
+  void take_back(const CoverEdge& edge) { turn(edge, -edge.turn); }  // one that was counted
 
   // Within the outer ring, and in no hole.
   bool inside() const { return turns_[0] != 0 && holes_ == 0; }
 
  private:
+  void turn(const CoverEdge& edge, int by) {
+    counted_ = true;
+    int& turns = turns_[static_cast<std::size_t>(edge.ring)];
+    const bool around = turns != 0;
+    turns += by;
+    if (edge.ring != 0 && around != (turns != 0)) around ? --holes_ : ++holes_;
+  }
+
   std::vector<int> turns_;
   int holes_ = 0;  // that turn around it
   bool counted_ = false;

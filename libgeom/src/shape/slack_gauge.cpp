@@ -71,7 +71,9 @@ SlackGauge::SlackGauge(double slack, std::size_t rings)
       near_squared_(near_ * near_),
       reach_(1.01 * slack),
       touching_(kTouching * slack),
-      winding_(rings) {}
+      winding_(rings),
+      place_(rings),
+      corner_(rings) {}
 
 void SlackGauge::begin(double y0, std::span<const CoverEdge* const> begun) {
   y0_ = y0;
@@ -91,9 +93,13 @@ void SlackGauge::reach_to(double y1) {
   }
 }
 
-Rectangle SlackGauge::around(const CoverEdge& edge) const {
-  const Interval x = edge.range(y0_, y1_);
-  return {{x.low, y0_}, {x.high, y1_}};
+Rectangle SlackGauge::around(const CoverEdge& edge, double y1) const {
+  const Interval x = edge.range(y0_, y1);
+  return {{x.low, y0_}, {x.high, y1}};
+}
+
+Vec2 SlackGauge::refusing_corner(double y1) const {
+  return corner(around(*refusal_.edge, y1), refusal_.corner);
 }
 
 std::optional<bool> SlackGauge::clear_case() {
@@ -127,16 +133,31 @@ void SlackGauge::keep_unclear(const Rectangle& place) {
 }
 
 bool SlackGauge::refuses_again() {
-  if (!refusing_ || !meets(*refusing_)) return false;
-  const Vec2 p = corner(around(*refusing_), refusing_corner_);
-  return !is_inside(p) && !is_near(near_squared_, p);
+  if (!refusal_.edge || !meets(*refusal_.edge)) return false;
+  const Vec2 p = refusing_corner(y1_);
+  return !is_near(near_squared_, p) && !is_inside(p);
+}
+
+// The corner moves along its edge, or level with its end.
+void SlackGauge::follow_corner(double least) {
+  if (!refusal_.edge) return;
+  const Vec2 a = refusing_corner(least);
+  const Vec2 b = refusing_corner(y1_);
+  corner_.gather(edges_, meeting(), {a.cwiseMin(b), a.cwiseMax(b)}, reach_);
+}
+
+bool SlackGauge::corner_refuses(double y1) {
+  if (!refusal_.edge || !meets_up_to(*refusal_.edge, y1)) return false;
+  const Vec2 p = refusing_corner(y1);
+  return !corner_.is_near(near_squared_, p) && !corner_.is_inside(p);
 }
 
 // The corner moves along its edge. What it passes far from every edge is outside as it is.
 bool SlackGauge::refuses_further(double rise) {
-  if (!refusing_ || refusing_->low.y() > y0_ || !(refusing_->high.y() >= y1_ + rise)) return false;
-  const Vec2 from = corner(around(*refusing_), refusing_corner_);
-  const Vec2 to = from + refusing_->step * (rise / refusing_->step.y());
+  if (!refusal_.edge || refusal_.edge->low.y() > y0_ || !(refusal_.edge->high.y() >= y1_ + rise))
+    return false;
+  const Vec2 from = refusing_corner(y1_);
+  const Vec2 to = from + refusal_.edge->step * (rise / refusal_.edge->step.y());
   if (is_inside(from)) return false;
   const CoverEdge way{from, to, 0, 1};
   return std::all_of(edges_.begin(), edges_.end(),
@@ -156,15 +177,14 @@ bool SlackGauge::is_steep(const CoverEdge& edge) const {
 // False where a corner of what the edge bounds is surely too far.
 bool SlackGauge::look_at(const CoverEdge& edge) {
   if (!meets(edge) || is_steep(edge)) return true;
-  const Rectangle r = around(edge);
+  const Rectangle r = around(edge, y1_);
   bool beside = true;
   for (std::size_t i = 0; i < 4; ++i) {
     const Vec2 p = corner(r, i);
     if (edge.is_within(near_squared_, p)) continue;
     beside = false;
     if (is_inside(p) || is_near(near_squared_, p)) continue;
-    refusing_ = &edge;
-    refusing_corner_ = i;
+    refusal_ = {&edge, i};
     return false;
   }
   if (!beside) add_unclear(r, edge);
@@ -196,23 +216,29 @@ void SlackGauge::add_unclear(const Rectangle& r, const CoverEdge& edge) {
   }
 }
 
-// False where a point of the rectangle is surely too far; keeps what stays unclear of it. Mostly
-// the distance of its middle tells: no point of it is further from the middle than its radius.
-bool SlackGauge::settle(const Rectangle& r) {
+// False where a point of the place is surely too far; keeps what stays unclear of it.
+bool SlackGauge::settle(const Rectangle& place) {
+  gather(place);
+  return settle_part(place);
+}
+
+// Mostly the distance of its middle tells: no point of it is further from the middle than its
+// radius.
+bool SlackGauge::settle_part(const Rectangle& r) {
   const Vec2 size = r.max - r.min;
   const double radius = radius_of(size);
   const Vec2 centre = 0.5 * (r.min + r.max);
-  const bool inside = is_inside(centre);
+  const bool inside = place_.is_inside(centre);
   if (inside && radius <= near_) return true;
-  if (radius < near_ && is_near((near_ - radius) * (near_ - radius), centre)) return true;
-  if (!inside && !is_near(near_squared_, centre)) return false;
+  if (radius < near_ && place_.is_near((near_ - radius) * (near_ - radius), centre)) return true;
+  if (!inside && !place_.is_near(near_squared_, centre)) return false;
   if (within_halves(r, inside) || beside_any(r) || within_bands(r)) return true;
   if (size.maxCoeff() < 0.1 * slack_) {
     keep_unclear(r);
     return true;
   }
   const auto [first, second] = halves(r);
-  return settle(first) && settle(second);
+  return settle_part(first) && settle_part(second);
 }
 
 // Whether an edge is that near, which is no further than surely far.
@@ -235,7 +261,7 @@ bool SlackGauge::beside(const Rectangle& r, const CoverEdge& edge) const {
 }
 
 bool SlackGauge::beside_any(const Rectangle& r) const {
-  for (const CoverEdge* edge : edges_) {
+  for (const CoverEdge* edge : place_.near()) {
     if (!out_of_reach(*edge, r.min) && !out_of_reach(*edge, r.max) && beside(r, *edge)) {
       return true;
     }
@@ -247,7 +273,7 @@ bool SlackGauge::beside_any(const Rectangle& r) const {
 // halves: those outside are surely near the edge if their corners are, since they are convex.
 bool SlackGauge::within_halves(const Rectangle& r, bool middle_inside) {
   const CoverEdge* cut = nullptr;
-  for (const CoverEdge* edge : meeting()) {
+  for (const CoverEdge* edge : place_.beside()) {
     if (!may_meet(*edge, r)) continue;
     if (cut) return false;
     cut = edge;
@@ -256,7 +282,7 @@ bool SlackGauge::within_halves(const Rectangle& r, bool middle_inside) {
   if (holds(r, cut->low) || holds(r, cut->high)) return false;
   for (std::size_t i = 0; i < 4; ++i) {
     const Vec2 p = corner(r, i);
-    if (!cut->is_within(near_squared_, p) && !is_inside(p)) return false;
+    if (!cut->is_within(near_squared_, p) && !place_.is_inside(p)) return false;
   }
   return true;
 }
@@ -269,9 +295,9 @@ bool SlackGauge::within_bands(const Rectangle& r) {
   const auto settled = [&](double low, double high) {
     const Rectangle band{{r.min.x(), low}, {r.max.x(), high}};
     return low >= high || beside_any(band) ||
-           (is_inside(0.5 * (band.min + band.max)) && clear_of_edges(band));
+           (place_.is_inside(0.5 * (band.min + band.max)) && clear_of_edges(band));
   };
-  for (const CoverEdge* edge : edges_) {
+  for (const CoverEdge* edge : place_.near()) {
     if (edge->left > r.min.x() || edge->right < r.max.x()) continue;
     const auto at = [&](double x) {
       const double t = (x - edge->low.x()) / (edge->high.x() - edge->low.x());
@@ -299,9 +325,14 @@ bool SlackGauge::touches_unclear(const Rectangle& r) const {
   return false;
 }
 
+bool SlackGauge::allows(const Rectangle& r) {
+  gather(r);
+  return allows_part(r);
+}
+
 // What touches little that is unclear is halved down to that without a look at all edges: what they
 // would tell at once, its parts tell too.
-bool SlackGauge::allows(const Rectangle& r) {
+bool SlackGauge::allows_part(const Rectangle& r) {
   if (!touches_unclear(r)) return true;
   const Vec2 size = r.max - r.min;
   const double radius = radius_of(size);
@@ -310,16 +341,16 @@ bool SlackGauge::allows(const Rectangle& r) {
   // A large one that no edge meets is settled at once, others by their parts.
   if (much && radius > slack_ && clear_of_edges(r)) {
     const Vec2 centre = 0.5 * (r.min + r.max);
-    if (is_inside(centre)) return true;
-    if (!is_near(near_squared_, centre)) return false;
+    if (place_.is_inside(centre)) return true;
+    if (!place_.is_near(near_squared_, centre)) return false;
   }
   if (!few || radius <= slack_) {
     const Vec2 centre = 0.5 * (r.min + r.max);
     const double reach = (1 - 1e-9) * (slack_ - radius);
-    if (reach > 0 && is_near(reach * reach, centre)) return true;
-    const bool inside = is_inside(centre);
+    if (reach > 0 && place_.is_near(reach * reach, centre)) return true;
+    const bool inside = place_.is_inside(centre);
     if (inside && radius <= slack_) return true;
-    if (!inside && !is_near(slack_ * slack_, centre)) return false;
+    if (!inside && !place_.is_near(slack_ * slack_, centre)) return false;
     if (radius < kLeaf * slack_) return false;
     // A part beside an edge or wholly inside would be halved down to the slack for nothing.
     if (much && beside_any(r)) return true;
@@ -327,7 +358,7 @@ bool SlackGauge::allows(const Rectangle& r) {
   }
   if (much && within_bands(r)) return true;
   const auto [first, second] = halves(r);
-  return allows(first) && allows(second);
+  return allows_part(first) && allows_part(second);
 }
 
 bool SlackGauge::is_inside(const Vec2& p) {
@@ -342,7 +373,7 @@ bool SlackGauge::is_inside(const Vec2& p) {
 }
 
 bool SlackGauge::clear_of_edges(const Rectangle& r) const {
-  const auto edges = meeting();
+  const auto edges = place_.beside();
   return std::none_of(edges.begin(), edges.end(),
                       [&](const CoverEdge* edge) { return may_meet(*edge, r); });
 }

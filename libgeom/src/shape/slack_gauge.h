@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "cover_edge.h"
+#include "near_edges.h"
 
 namespace geom {
 
@@ -34,8 +34,22 @@ class SlackGauge {
   void reach_to(double y1);
   std::span<const CoverEdge* const> edges() const { return edges_; }
 
+  // The corner that refused a slab last. It refuses the next most often.
+  struct Refusal {
+    const CoverEdge* edge = nullptr;
+    std::size_t corner = 0;
+  };
+  const Refusal& refusal() const { return refusal_; }
+  void set_refusal(const Refusal& refusal) { refusal_ = refusal; }
+
   // Whether the corner that refused a slab last surely refuses this one.
   bool refuses_again();
+
+  // Prepares corner_refuses() for slabs that go up to `least` or more, and no further than this
+  // one.
+  void follow_corner(double least);
+  // The same as refuses_again() of the slab up to y1.
+  bool corner_refuses(double y1);
 
   // Whether the corner that refused the slab surely refuses it wherever it is moved up by as much
   // or less. Asks the edges that were added, which must be all near any of those slabs.
@@ -50,7 +64,10 @@ class SlackGauge {
   bool allows(const Rectangle& r);
 
  private:
-  bool meets(const CoverEdge& edge) const { return edge.high.y() > y0_ && edge.low.y() < y1_; }
+  bool meets(const CoverEdge& edge) const { return meets_up_to(edge, y1_); }
+  bool meets_up_to(const CoverEdge& edge, double y1) const {
+    return edge.high.y() > y0_ && edge.low.y() < y1;
+  }
   // Whether the point is surely too far from it. By comparisons alone.
   bool out_of_reach(const CoverEdge& edge, const Vec2& p) const {
     return p.x() < edge.left - reach_ || p.x() > edge.right + reach_ ||
@@ -60,20 +77,24 @@ class SlackGauge {
   std::span<const CoverEdge* const> meeting() const {
     return std::span(edges_).subspan(first_meeting_, end_meeting_ - first_meeting_);
   }
-  Rectangle around(const CoverEdge& edge) const;
+  Rectangle around(const CoverEdge& edge, double y1) const;
+  Vec2 refusing_corner(double y1) const;
   bool is_steep(const CoverEdge& edge) const;
   bool look_at(const CoverEdge& edge);
   void add_unclear(const Rectangle& r, const CoverEdge& edge);
   void keep_unclear(const Rectangle& place);
-  bool settle(const Rectangle& r);
+  bool settle(const Rectangle& place);
+  bool settle_part(const Rectangle& r);
   bool is_near(double squared_reach, const Vec2& p);
   bool beside(const Rectangle& r, const CoverEdge& edge) const;
   bool beside_any(const Rectangle& r) const;
   bool within_halves(const Rectangle& r, bool middle_inside);
+  void gather(const Rectangle& place) { place_.gather(edges_, meeting(), place, reach_); }
   bool within_bands(const Rectangle& r);
   bool touches_unclear(const Rectangle& r) const;
   bool is_inside(const Vec2& p);
   bool clear_of_edges(const Rectangle& r) const;
+  bool allows_part(const Rectangle& r);
 
   double slack_;
   double near_;
@@ -90,10 +111,10 @@ class SlackGauge {
   std::vector<Rectangle> found_;    // places that may be far from the edge that bounds them
   std::vector<Rectangle> unclear_;  // what is not settled of them
   double unclear_size_ = 0;         // the longest side of one of them
-  // The corner that refused the last slab refuses the next most often.
-  const CoverEdge* refusing_ = nullptr;
-  std::size_t refusing_corner_ = 0;
+  Refusal refusal_;
   Winding winding_;
+  NearEdges place_;   // what a place asks about while it is halved
+  NearEdges corner_;  // and the corner that refused, while it is followed
 };
 
 }  // namespace geom
