@@ -45,6 +45,7 @@ struct GdalLibrary {
   decltype(&GDALGetRasterCount) raster_count;
   decltype(&GDALGetRasterBand) raster_band;
   decltype(&GDALRasterIO) raster_io;
+  decltype(&GDALGetDataCoverageStatus) coverage;
   decltype(&GDALGetMaskFlags) mask_flags;
   decltype(&GDALGetMaskBand) mask_of;
   decltype(&GDALGetRasterColorInterpretation) colour_meaning;
@@ -55,6 +56,7 @@ struct GdalLibrary {
   decltype(&GDALGetRasterOffset) raster_offset;
   decltype(&GDALGetRasterUnitType) raster_unit;
   decltype(&GDALSetDescription) set_description;
+  decltype(&GDALGetMetadata) metadata;
   decltype(&GDALSetMetadataItem) set_metadata_item;
   decltype(&GDALGetGeoTransform) geo_transform;
   decltype(&GDALSetGeoTransform) set_geo_transform;

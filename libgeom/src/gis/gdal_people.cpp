@@ -6,6 +6,7 @@
 
 #include "gdal_cells.h"
 #include "gdal_handles.h"
+#include "gdal_whole_raster.h"
 #include "geom/gis/people_raster.h"
 
 namespace geom::gis {
@@ -23,6 +24,7 @@ class Raster {
               .found = dataset_ ? fmt::format("{} bands", number_bands(dataset_))
                                 : "a file that GDAL cannot open as one"});
     }
+    require_whole_raster(dataset_, path_);
     const OGRSpatialReferenceH reference = gdal().spatial_reference(dataset_.get());
     if (!reference || gdal().geo_transform(dataset_.get(), forward_) != CE_None ||
         !gdal().invert_geo_transform(forward_, inverse_)) {

@@ -7,6 +7,7 @@
 #include "gdal_cells.h"
 #include "gdal_handles.h"
 #include "gdal_whole.h"
+#include "gdal_whole_raster.h"
 #include "geom/gis/footprint_source.h"
 #include "shape/row_merge.h"
 #include "shape/skyline_merge.h"
@@ -99,6 +100,7 @@ Raster open_raster(const std::string& path, const std::string& name, const ReadO
     throw InputError(name, {.expected = "a raster of heights, as a GeoTIFF",
                             .found = "a file that GDAL cannot open as one"});
   }
+  require_whole_raster(raster.dataset, name);
   if (const int bands = number_bands(raster.dataset); bands != 1) {
     const int all = gdal().raster_count(dataset);
     throw InputError(name,
@@ -261,7 +263,9 @@ std::vector<Span> touched(double low, double high, int n) {
 
 bool is_raster(const std::string& path) {
   const DatasetHandle dataset = opened(path, GDAL_OF_RASTER);
-  return dataset && gdal().raster_count(dataset.get()) > 0;
+  if (!dataset || gdal().raster_count(dataset.get()) == 0) return false;
+  require_no_layers(dataset, path);
+  return true;
 }
 
 Source read_raster(const std::string& path, const std::string& name, const ReadOptions& options) {

@@ -132,7 +132,8 @@ std::optional<double> height_unit(const std::string& crs, const std::string& nam
 // be one of GDAL's virtual files; `name` is for messages. Throws InputError.
 Source read_vector(const std::string& path, const std::string& name, const ReadOptions& options);
 
-// Whether GDAL reads the file as a raster.
+// Whether GDAL reads the file as a raster. Throws InputError for one that has layers of features,
+// too.
 bool is_raster(const std::string& path);
 
 // A surface or terrain model of one band: rectangles of cells, from the lowest cell up, that
