@@ -37,10 +37,18 @@ constexpr Format kKmz{.what = "a KMZ file",
                                    !zip_with<".wpml">(head);
                           },
                       .readers = kReaders};
+constexpr Format kGml{.what = "a GML file",
+                      .begins =
+                          [](std::string_view head) {
+                            return xml_with<"opengis.net/gml">(head) &&
+                                   !xml_with<"CityModel">(head);
+                          },
+                      .readers = kReaders};
 constexpr Format kPolygons{
     .word = "vector", .what = "polygons that GDAL reads", .readers = kReaders};
-constexpr const Format* kVectorKinds[] = {&kShapefile,   &kFlatGeobuf,     &kGeoPackage, &kSqlite,
-                                          &kGeoJsonFile, &kGeoJsonFeature, &kKmlFile,    &kKmz};
+constexpr const Format* kVectorKinds[] = {&kShapefile, &kFlatGeobuf,  &kGeoPackage,
+                                          &kSqlite,    &kGeoJsonFile, &kGeoJsonFeature,
+                                          &kKmlFile,   &kKmz,         &kGml};
 
 constexpr Format kOsmXml{.word = "osm",
                          .what = "an OpenStreetMap file",

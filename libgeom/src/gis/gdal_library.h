@@ -33,6 +33,9 @@ struct GdalLibrary {
   decltype(&VSIIngestFile) read_whole;
   decltype(&VSIFree) free;
   decltype(&VSIReadDirRecursive) list_files;
+  decltype(&VSIFileFromMemBuffer) file_in_memory;
+  decltype(&VSIUnlink) remove;
+  decltype(&GDALIdentifyDriverEx) identify;
   decltype(&GDALOpenEx) open;
   decltype(&GDALClose) close;
   decltype(&GDALGetFileList) files_of;
@@ -105,6 +108,8 @@ struct GdalLibrary {
   decltype(&OGR_F_SetFieldString) set_text;
   decltype(&OGR_F_SetFieldDouble) set_number;
   decltype(&OGR_F_GetGeometryRef) geometry_of;
+  decltype(&OGR_F_GetGeomFieldCount) geometry_count;
+  decltype(&OGR_F_GetGeomFieldRef) geometry_at;
   decltype(&OGR_F_SetGeometryDirectly) set_geometry;
   decltype(&OGR_F_GetFID) feature_id;
   decltype(&OGR_F_GetFieldCount) field_count;

@@ -6,11 +6,13 @@
 #include <sstream>
 
 #include "gdal_arcs.h"
+#include "gdal_gml.h"
 #include "gdal_handles.h"
 #include "gdal_whole.h"
 #include "geom/gis/footprint_source.h"
 #include "geom/text/counted.h"
-#include "gml_unfollowed.h"
+#include "gml_told.h"
+#include "gml_words.h"
 #include "xml_heads.h"
 
 namespace geom::gis {
@@ -21,7 +23,8 @@ class VectorReader {
   VectorReader(const std::string& name, const ReadOptions& options)
       : name_(name), options_(options) {}
 
-  Source read(const DatasetHandle& dataset, const std::string& path) {
+  // `gml`: what its text holds, where it is GML.
+  Source read(const DatasetHandle& dataset, const std::string& path, const GmlTold& gml) {
     const std::size_t least = require_whole(dataset, path, name_);
     for (int i = 0; i < gdal().layer_count(dataset.get()); ++i) {
       const OGRLayerH layer = gdal().layer(dataset.get(), i);
@@ -40,6 +43,13 @@ class VectorReader {
                                    "the file has {}, and GDAL reads {}: it is damaged, or not "
                                    "quite of its format; write it anew, for example as GeoPackage",
                                    counted(least, "feature"), features_)});
+    }
+    if (options_.where.empty() && geometries_ < gml.geometries) {
+      throw InputError(
+          name_,
+          {.says = fmt::format("the file has {} in features, and GDAL reads {}: it takes one "
+                               "of each feature; write the others as features of their own",
+                               counted(gml.geometries, "geometry", "geometries"), geometries_)});
     }
     return std::move(out_);
   }
@@ -76,10 +86,12 @@ class VectorReader {
     const OGRGeometryH geometry = gdal().geometry_of(feature);
     const GIntBig id = gdal().feature_id(feature);
     which_ = fmt::format("feature {} of layer {}", id, layer_);
+    skip_further(feature);
     if (!geometry || gdal().is_empty(geometry)) {
       out_.skipped.add("feature without geometry", which_);
       return;
     }
+    ++geometries_;
     const auto tag = [&](const char* key) { return values_of(feature, key); };
     const std::size_t before = out_.footprints.size();
     BuildingHeight height;
@@ -95,11 +107,23 @@ class VectorReader {
     solid_ = false;
   }
 
+  // A table may have several columns of geometries: the plan, the roof, a place for the label.
+  void skip_further(OGRFeatureH feature) {
+    for (int i = 1; i < gdal().geometry_count(feature); ++i) {
+      const OGRGeometryH geometry = gdal().geometry_at(feature, i);
+      if (geometry && !gdal().is_empty(geometry)) {
+        out_.skipped.add("further geometry of a feature", which_);
+      }
+    }
+  }
+
   // Of all fields that are so called in any case: a file may have "height" beside "HEIGHT".
   std::string values_of(OGRFeatureH feature, const char* key) {
     std::string values;
     for (const int field : fields_of(feature, key)) {
-      if (gdal().is_field_set(feature, field)) add_value(value_of(feature, field), values);
+      if (gdal().is_field_set(feature, field)) {
+        add_value(value_of(feature, field) + unit_beside(feature, field), values);
+      }
     }
     return values;
   }
@@ -119,6 +143,15 @@ class VectorReader {
       return gdal().integer(feature, field) ? "true" : "false";  // no length of 1
     }
     return gdal().text(feature, field);
+  }
+
+  // " ft", where the field "height_uom" says so: GDAL has the attribute "uom" of GML there.
+  static std::string unit_beside(OGRFeatureH feature, int field) {
+    const std::string name = gdal().field_name(gdal().field(feature, field)) + std::string("_uom");
+    const int unit = gdal().field_index(feature, name.c_str());
+    if (unit < 0 || !gdal().is_field_set(feature, unit)) return "";
+    const std::string word = unit_of(gdal().text(feature, unit));
+    return word.empty() ? "" : ' ' + word;
   }
 
   // Where the height of a feature came from that became footprints.
@@ -258,6 +291,7 @@ class VectorReader {
   const std::string& name_;
   const ReadOptions& options_;
   std::size_t features_ = 0;
+  std::size_t geometries_ = 0;  // of them that have one
   std::optional<double> unit_;  // of heights that name none, where it is clear
   std::string layer_;
   std::map<std::string, std::vector<int>, std::less<>> fields_;  // of the layer, by what they tell
@@ -267,34 +301,20 @@ class VectorReader {
   Source out_;
 };
 
-// What a gzip archive holds; empty for another file.
-std::string unpacked(const std::string& path) {
-  char magic[2] = {};
-  std::ifstream(path, std::ios::binary).read(magic, 2);
-  if (std::string_view(magic, 2) != "\x1f\x8b") return "";
-  GByte* bytes = nullptr;
-  vsi_l_offset size = 0;
-  if (!gdal().read_whole(nullptr, ("/vsigzip/" + path).c_str(), &bytes, &size, -1)) return "";
-  const BytesHandle<GByte> owner(bytes);
-  return {reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(size)};
-}
-
 }  // namespace
 
 Source read_vector(const std::string& path, const std::string& name, const ReadOptions& options) {
   require_plain_vector(path, name);
-  const DatasetHandle dataset = opened(path, GDAL_OF_VECTOR);
+  const std::unique_ptr<GmlInMemory> gml = GmlInMemory::of(path, name);
+  const DatasetHandle dataset = opened(gml ? gml->path() : path, GDAL_OF_VECTOR);
   if (!dataset) {
     throw InputError(name, unopened(path));
   }
-  Source source = VectorReader(name, options).read(dataset, path);
+  Skipped links;
+  const GmlTold told = gml ? told_by_gml(gml->text(), name, links) : GmlTold();
+  Source source = VectorReader(name, options).read(dataset, path, told);
   source.beside = files_beside(dataset, path);
-  if (std::string_view(gdal().driver_name(gdal().driver_of(dataset.get()))) == "GML") {
-    std::istringstream packed(unpacked(path));
-    std::ifstream plain(path, std::ios::binary);
-    const bool is_packed = packed.peek() != std::istringstream::traits_type::eof();
-    skip_unfollowed(is_packed ? static_cast<std::istream&>(packed) : plain, name, source.skipped);
-  }
+  source.skipped.add(links);
   return source;
 }
 

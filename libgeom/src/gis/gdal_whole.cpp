@@ -21,17 +21,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::string content_of(const std::string& path, const std::string& name) {
-  GByte* bytes = nullptr;
-  vsi_l_offset size = 0;
-  if (!gdal().read_whole(nullptr, path.c_str(), &bytes, &size, -1)) {
-    throw InputError(name,
-                     {.expected = "a file that can be read whole", .found = "one that cannot"});
-  }
-  const BytesHandle<GByte> owner(bytes);
-  return {reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(size)};
-}
-
 [[noreturn]] void refuse_part(const std::string& name, const std::string& why) {
   throw InputError(name,
                    {.says = fmt::format("this is a part of what its server has: {}; ask for the "
@@ -190,6 +179,17 @@ void require_whole_format(std::string_view driver, const std::string& name) {
 }
 
 }  // namespace
+
+std::string content_of(const std::string& path, const std::string& name) {
+  GByte* bytes = nullptr;
+  vsi_l_offset size = 0;
+  if (!gdal().read_whole(nullptr, path.c_str(), &bytes, &size, -1)) {
+    throw InputError(name,
+                     {.expected = "a file that can be read whole", .found = "one that cannot"});
+  }
+  const BytesHandle<GByte> owner(bytes);
+  return {reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(size)};
+}
 
 std::vector<std::string> files_beside(const DatasetHandle& dataset, const std::string& path) {
   const ListHandle files(gdal().files_of(dataset.get()));

@@ -22,6 +22,9 @@ std::size_t require_whole(const DatasetHandle& dataset, const std::string& path,
 // The same of a shapefile: `path` is its .shp.
 void require_whole_shapefile(const DatasetHandle& dataset, const std::string& name);
 
+// All bytes of a file that GDAL opens. Throws InputError(name, …) where it cannot.
+std::string content_of(const std::string& path, const std::string& name);
+
 // Paths of the files beside `path` that `dataset` is read from: of a shapefile its index, table and
 // reference system.
 std::vector<std::string> files_beside(const DatasetHandle& dataset, const std::string& path);

@@ -108,6 +108,7 @@ const std::map<std::string_view, std::string> kSamples = {
     {"an SQLite database", "SQLite format 3\0"s + std::string(90, '\0')},
     {"a GeoJSON feature", R"({"type":"Feature","geometry":{)"},
     {"a KMZ file", zip("doc.kml")},
+    {"a GML file", "<?xml?><c xmlns:gml=\"http://www.opengis.net/gml/3.2\">"},
     {"an OpenStreetMap file", "<?xml version='1.0'?>\n<osm version=\"0.6\">"},
     {"an OpenStreetMap extract (.osm.pbf)", "\0\0\0\x0d\x0a\x09OSMHeader"s},
     {"a CityJSON model", R"({"type":"CityJSON","version":"2.0"})"},

@@ -1,0 +1,98 @@
+#include "gis/gdal_gml.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "geom/gis/footprint_source.h"
+#include "support/memory_file.h"
+#include "support/reading.h"
+#include "support/temporary_folder.h"
+
+namespace geom::gis {
+namespace {
+
+using support::refusal_of;
+using support::says;
+
+std::string square(double west) {
+  return fmt::format(
+      "<gml:Polygon><gml:outerBoundaryIs><gml:LinearRing><gml:coordinates>{0},0 {1},0 {1},9 {0},9 "
+      "{0},0</gml:coordinates></gml:LinearRing></gml:outerBoundaryIs></gml:Polygon>",
+      west, west + 9);
+}
+
+std::string member(const std::string& type, const std::string& content) {
+  return fmt::format("<gml:featureMember><a:{0} fid=\"{0}.0\">{1}</a:{0}></gml:featureMember>",
+                     type, content);
+}
+
+std::string collection(const std::string& members) {
+  return "<a:C xmlns:a=\"a\" xmlns:gml=\"http://www.opengis.net/gml\">" + members + "</a:C>";
+}
+
+const std::string kHouse =
+    member("house", "<a:height>20</a:height><a:plan>" + square(0) + "</a:plan>");
+const std::string kTower =
+    member("tower", "<a:height>90</a:height><a:plan>" + square(50) + "</a:plan>");
+
+Source read(const std::string& members) {
+  return read_text("city.gml", collection(members), ReadOptions{});
+}
+
+TEST(ReadGml, TakesEachFeature) { EXPECT_EQ(read(kHouse + kTower).footprints.size(), 2u); }
+
+// GDAL reads the last of them.
+TEST(ReadGml, RefusesASecondGeometryOfAFeature) {
+  for (const char* property : {"plan", "roof"}) {
+    const std::string two =
+        member("house", fmt::format("<a:height>20</a:height><a:plan>{0}</a:plan><a:{1}>{2}</a:{1}>",
+                                    square(0), property, square(50)));
+    EXPECT_TRUE(says(refusal_of([&] { read(two); }),
+                     "the file has 2 geometries in features, and GDAL reads 1"));
+  }
+}
+
+// It tells GDAL to look for houses alone.
+TEST(ReadGml, KnowsNothingOfATemplateBesideTheFile) {
+  const support::TemporaryFolder folder;
+  const std::string path = folder / "city.gml";
+  std::ofstream(path) << collection(kHouse + kTower);
+  std::ofstream(folder / "city.gfs")
+      << "<GMLFeatureClassList><GMLFeatureClass><Name>house</Name><ElementPath>house</ElementPath>"
+         "<GeometryElementPath>plan</GeometryElementPath></GMLFeatureClass></GMLFeatureClassList>";
+  EXPECT_EQ(read_vector(path, path, {}).footprints.size(), 2u);
+}
+
+TEST(ReadGml, LeavesNothingBesideTheFile) {
+  const support::TemporaryFolder folder;
+  const std::string path = folder / "city.gml";
+  std::ofstream(path) << collection(kHouse);
+  read_vector(path, path, {});
+  EXPECT_FALSE(std::filesystem::exists(folder / "city.gfs"));
+}
+
+TEST(ReadGml, ObeysTheUnitOfAHeight) {
+  const auto house = [](const std::string& unit) {
+    return member("house",
+                  "<a:height uom=\"" + unit + "\">20</a:height><a:plan>" + square(0) + "</a:plan>");
+  };
+  EXPECT_EQ(read(house("urn:ogc:def:uom:UCUM::m")).footprints.at(0).top, 20);
+  EXPECT_DOUBLE_EQ(read(house("ft")).footprints.at(0).top, 20 * 0.3048);
+  EXPECT_EQ(read(house("furlong")).skipped.count(), 1u);
+}
+
+TEST(ReadVector, CountsFurtherColumnsOfGeometries) {
+  const Source source = read_text(
+      "a.csv",
+      "WKT,height,_WKTroof\n\"POLYGON((0 0,9 0,9 9,0 0))\",12,\"POLYGON((50 0,59 0,59 9,50 0))\"\n"
+      "\"POLYGON((0 0,9 0,9 9,0 0))\",12,\n",
+      ReadOptions{});
+  EXPECT_EQ(source.footprints.size(), 2u);
+  EXPECT_EQ(source.skipped.text(), "1 x further geometry of a feature (feature 1 of layer a)");
+}
+
+}  // namespace
+}  // namespace geom::gis
