@@ -72,6 +72,8 @@ struct GdalLibrary {
   decltype(&OSRSetFromUserInput) reference_from_text;
   decltype(&OSRSetAxisMappingStrategy) set_axis_mapping;
   decltype(&OSRExportToWkt) reference_to_text;
+  decltype(&OSRIsSameEx) is_same_reference;
+  decltype(&OSRIsGeocentric) is_geocentric;
   decltype(&OSRIsGeographic) is_geographic;
   decltype(&OSRIsLocal) is_local;
   decltype(&OSRIsVertical) is_vertical;
@@ -124,6 +126,7 @@ struct GdalLibrary {
   decltype(&OGR_Fld_GetSubType) field_subtype;
   decltype(&OGR_G_CreateGeometry) new_geometry;
   decltype(&OGR_G_DestroyGeometry) destroy_geometry;
+  decltype(&OGR_G_GetSpatialReference) geometry_reference;
   decltype(&OGR_G_GetGeometryType) geometry_type;
   decltype(&OGR_GT_Flatten) flat_type;
   decltype(&OGR_GT_IsSubClassOf) is_subclass;

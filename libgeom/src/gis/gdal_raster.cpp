@@ -6,6 +6,7 @@
 
 #include "gdal_cells.h"
 #include "gdal_handles.h"
+#include "gdal_reference.h"
 #include "gdal_whole.h"
 #include "gdal_whole_raster.h"
 #include "geom/gis/footprint_source.h"
@@ -123,6 +124,7 @@ Raster open_raster(const std::string& path, const std::string& name, const ReadO
                       .found = "one that does not",
                       .advice = "give it a place, for example with `gdal_translate -a_ullr`"});
   }
+  require_known_raster_reference(raster.dataset, path, name);
   raster.crs = text_of(gdal().spatial_reference(dataset), name);
   raster.metres = metres_per_unit(raster.cells->band(), raster.crs, name, options);
   return raster;

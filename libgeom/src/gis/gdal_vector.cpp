@@ -8,6 +8,7 @@
 #include "gdal_arcs.h"
 #include "gdal_gml.h"
 #include "gdal_handles.h"
+#include "gdal_reference.h"
 #include "gdal_whole.h"
 #include "geom/gis/footprint_source.h"
 #include "geom/text/counted.h"
@@ -58,6 +59,7 @@ class VectorReader {
   void read_layer(OGRLayerH layer) {
     gdal().forget_errors();
     layer_ = gdal().layer_name(layer);
+    handle_ = layer;
     fields_.clear();
     out_.has_height_attribute |= gdal().layer_field_index(gdal().layer_definition(layer),
                                                           options_.height.attribute.c_str()) >= 0;
@@ -92,6 +94,12 @@ class VectorReader {
       return;
     }
     ++geometries_;
+    if (!has_reference_of(geometry, handle_)) {
+      throw InputError(name_, {.item = which_,
+                               .expected = "the coordinate reference system of its layer",
+                               .found = "another",
+                               .advice = "bring all features to one system"});
+    }
     const auto tag = [&](const char* key) { return values_of(feature, key); };
     const std::size_t before = out_.footprints.size();
     BuildingHeight height;
@@ -293,6 +301,7 @@ class VectorReader {
   std::size_t features_ = 0;
   std::size_t geometries_ = 0;  // of them that have one
   std::optional<double> unit_;  // of heights that name none, where it is clear
+  OGRLayerH handle_ = nullptr;  // of the layer
   std::string layer_;
   std::map<std::string, std::vector<int>, std::less<>> fields_;  // of the layer, by what they tell
   std::string which_;                                            // the feature that is read
@@ -306,12 +315,12 @@ class VectorReader {
 Source read_vector(const std::string& path, const std::string& name, const ReadOptions& options) {
   require_plain_vector(path, name);
   const std::unique_ptr<GmlInMemory> gml = GmlInMemory::of(path, name);
-  const DatasetHandle dataset = opened(gml ? gml->path() : path, GDAL_OF_VECTOR);
-  if (!dataset) {
-    throw InputError(name, unopened(path));
-  }
   Skipped links;
   const GmlTold told = gml ? told_by_gml(gml->text(), name, links) : GmlTold();
+  gdal().forget_errors();
+  const DatasetHandle dataset = opened(gml ? gml->path() : path, GDAL_OF_VECTOR);
+  if (!dataset) throw InputError(name, unopened(path));
+  require_known_references(dataset, path, told, name);
   Source source = VectorReader(name, options).read(dataset, path, told);
   source.beside = files_beside(dataset, path);
   source.skipped.add(links);

@@ -61,6 +61,29 @@ void require_all(const Json& root, std::size_t here, const std::string& name) {
   }
 }
 
+// GDAL knows a "crs" of the whole file alone, and takes WGS 84 for one that it does not understand.
+void require_known_crs(const Json& root, const std::string& name) {
+  const auto crs = root.find("crs");
+  if (crs == root.end()) return;
+  const Json& about = crs->is_object() ? member(*crs, "properties") : Json();
+  const Json& system = about.is_object() ? member(about, "name") : Json();
+  if (!crs->is_object() || member(*crs, "type") != "name" || !system.is_string()) {
+    throw InputError(name, {.item = "\"crs\"",
+                            .expected = "the name of a coordinate reference system",
+                            .found = shown(*crs),
+                            .advice = "write its name, or take the member away where coordinates "
+                                      "are longitude and latitude (WGS 84)"});
+  }
+  reference_named(system.get<std::string>(), name);
+}
+
+void refuse_own_crs(const Json& feature, const std::string& what, const std::string& name) {
+  if (!feature.is_object() || !feature.contains("crs")) return;
+  throw InputError(name, {.item = what,
+                          .expected = "a \"crs\" of the whole file alone",
+                          .found = "one of the feature"});
+}
+
 std::string_view without_mark(std::string_view text) {
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
   return text;
@@ -79,21 +102,68 @@ void require_type(const Json& value, std::initializer_list<const char*> types,
 }
 
 // The root with its own members and those of its features; a count of the features.
-std::size_t require_json(const std::string& path, const std::string& name, bool esri) {
+std::size_t require_json(const std::string& path, const std::string& name) {
   constexpr std::size_t kDepth = 3;
   const std::string text = content_of(path, name);
   const Json root = json_outline(without_mark(text), name, kDepth);
-  if (!esri) {
-    require_type(root,
-                 {"FeatureCollection", "Feature", "Polygon", "MultiPolygon", "GeometryCollection",
-                  "Point", "MultiPoint", "LineString", "MultiLineString"},
-                 "the file", name);
-  }
-  if (!root.is_object()) return 0;
+  require_type(root,
+               {"FeatureCollection", "Feature", "Polygon", "MultiPolygon", "GeometryCollection",
+                "Point", "MultiPoint", "LineString", "MultiLineString"},
+               "the file", name);
   const Json& features = member(root, "features");
   const std::size_t count = features.is_array() ? features.size() : 0;
-  for (std::size_t i = 0; i < count && !esri; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     require_type(features[i], {"Feature"}, fmt::format("feature {}", i), name);
+    refuse_own_crs(features[i], fmt::format("feature {}", i), name);
+  }
+  require_known_crs(root, name);
+  require_all(root, count, name);
+  return count;
+}
+
+bool same_system(const Json& a, const Json& b) {
+  return a == b || (member(a, "wkid").is_number() && member(a, "wkid") == member(b, "wkid"));
+}
+
+// GDAL looks at the system of the whole file alone, and passes over arcs.
+void require_esri_geometry(const Json& geometry, const Json& system, const std::string& what,
+                           const std::string& name) {
+  if (!geometry.is_object()) return;
+  for (const char* arcs : {"curveRings", "curvePaths"}) {
+    if (geometry.contains(arcs)) {
+      throw InputError(name, {.item = what,
+                              .expected = "rings",
+                              .found = fmt::format("\"{}\", which has arcs", arcs),
+                              .advice = "ask its server for them without arcs "
+                                        "(returnTrueCurves=false)"});
+    }
+  }
+  const Json& own = member(geometry, "spatialReference");
+  if (!own.is_object() || (system.is_object() && same_system(own, system))) return;
+  throw InputError(name, {.item = what,
+                          .expected = "the \"spatialReference\" of the file",
+                          .found = shown(own),
+                          .advice = "bring all features to one system, and name it once"});
+}
+
+std::size_t require_esri_json(const DatasetHandle& dataset, const std::string& path,
+                              const std::string& name) {
+  constexpr std::size_t kDepth = 5;  // up to the reference systems of geometries
+  const std::string text = content_of(path, name);
+  const Json root = json_outline(without_mark(text), name, kDepth);
+  const Json& system = member(root, "spatialReference");
+  const OGRLayerH layer = gdal().layer(dataset.get(), 0);
+  if (system.is_object() && !system.empty() && layer && !gdal().layer_reference(layer)) {
+    throw InputError(name, {.item = "\"spatialReference\"",
+                            .expected = "a coordinate reference system that PROJ knows",
+                            .found = shown(system)});
+  }
+  const Json& features = member(root, "features");
+  const std::size_t count = features.is_array() ? features.size() : 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!features[i].is_object()) continue;
+    require_esri_geometry(member(features[i], "geometry"), system, fmt::format("feature {}", i),
+                          name);
   }
   require_all(root, count, name);
   return count;
@@ -111,8 +181,10 @@ std::size_t require_json_sequence(const std::string& path, const std::string& na
     rest.remove_prefix(std::min(end + 1, rest.size()));
     if (between == '\n') ++line;
     if (record.find_first_not_of(" \t\r\n") == record.npos) continue;
-    require_type(json_outline(record, name, 1, line), {"Feature"},
-                 fmt::format("feature {}", features), name);
+    const Json feature = json_outline(record, name, 1, line);
+    const std::string what = fmt::format("feature {}", features);
+    require_type(feature, {"Feature"}, what, name);
+    refuse_own_crs(feature, what, name);
     ++features;
   }
   return features;
@@ -208,8 +280,8 @@ std::size_t require_whole(const DatasetHandle& dataset, const std::string& path,
                             .advice = "read it with --format osm"});
   }
   require_whole_format(driver, name);
-  if (driver == "GeoJSON") return require_json(path, name, false);
-  if (driver == "ESRIJSON") return require_json(path, name, true);
+  if (driver == "GeoJSON") return require_json(path, name);
+  if (driver == "ESRIJSON") return require_esri_json(dataset, path, name);
   if (driver == "GeoJSONSeq") return require_json_sequence(path, name);
   if (driver == "KML" || driver == "LIBKML") return require_kml(path, name);
   if (driver == "ESRI Shapefile") require_whole_shapefile(dataset, name);

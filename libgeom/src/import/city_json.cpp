@@ -165,7 +165,10 @@ class Reader {
     const Json metadata = root.value("metadata", Json::object());
     if (!metadata.is_object()) return;
     const Json named = metadata.value("referenceSystem", Json());
-    if (!named.is_string()) return;
+    if (named.is_null()) return;
+    if (!named.is_string()) {
+      refuse({.key = "referenceSystem", .expected = "a text", .found = shown(named)});
+    }
     const std::string text = named.get<std::string>();
     const std::size_t at = text.find_last_of(":/");
     const std::string code = at == std::string::npos ? text : text.substr(at + 1);
@@ -173,7 +176,10 @@ class Reader {
                         code.find_first_not_of("0123456789") == std::string::npos;
     // The last code of a system of two is that of its heights alone.
     const bool compound = text.find("EPSG") != text.rfind("EPSG");
-    out_.crs = digits && !compound ? "EPSG:" + code : text;
+    // A number of IGNF or of OGC is another system than that of EPSG.
+    const bool of_epsg = at == std::string::npos || text.find("EPSG") != std::string::npos ||
+                         text.find("epsg") != std::string::npos;
+    out_.crs = digits && !compound && of_epsg ? "EPSG:" + code : text;
   }
 
   // Number `index` of a list.

@@ -68,6 +68,20 @@ TEST(CityJson, NamesItsReferenceSystemByItsCode) {
   EXPECT_EQ(crs_of("urn:ogc:def:crs:EPSG::7415"), "EPSG:7415");
 }
 
+// A code of another list is another system.
+TEST(CityJson, NamesAReferenceSystemOfAnotherListAsTheFileDoes) {
+  const std::string named = "https://www.opengis.net/def/crs/IGNF/1/4326";
+  EXPECT_EQ(crs_of(named), named);
+}
+
+TEST(CityJson, RefusesAReferenceSystemThatIsNoText) {
+  std::istringstream in(
+      R"({"type":"CityJSON","version":"2.0","vertices":[[0,0,0],[9,0,0],[9,9,4]],)"
+      R"("CityObjects":{"b":{"type":"Building","geometry":[{"type":"MultiSurface",)"
+      R"("lod":"2","boundaries":[[[0,1,2]]]}]}},"metadata":{"referenceSystem":7415}})");
+  EXPECT_THROW(read_city_json(in, "t"), InputError);
+}
+
 // Of two systems the last is that of heights: its code alone would place nothing.
 TEST(CityJson, NamesACompoundReferenceSystemAsTheFileDoes) {
   for (const char* named :
