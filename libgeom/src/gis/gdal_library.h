@@ -93,6 +93,8 @@ struct GdalLibrary {
   decltype(&GDALDatasetGetLayerByName) layer_named;
   decltype(&GDALDatasetGetLayerCount) layer_count;
   decltype(&GDALDatasetGetLayer) layer;
+  decltype(&GDALDatasetExecuteSQL) execute_sql;
+  decltype(&GDALDatasetReleaseResultSet) release_result;
   decltype(&OGR_L_CreateField) create_field;
   decltype(&OGR_L_GetLayerDefn) layer_definition;
   decltype(&OGR_L_GetName) layer_name;
@@ -101,6 +103,8 @@ struct GdalLibrary {
   decltype(&OGR_L_SetAttributeFilter) set_filter;
   decltype(&OGR_L_ResetReading) rewind;
   decltype(&OGR_FD_GetFieldIndex) layer_field_index;
+  decltype(&OGR_FD_GetFieldCount) layer_field_count;
+  decltype(&OGR_FD_GetFieldDefn) layer_field;
   decltype(&OGR_L_CreateFeature) create_feature;
   decltype(&OGR_L_GetNextFeature) next_feature;
   decltype(&OGR_L_StartTransaction) start_transaction;
@@ -123,6 +127,7 @@ struct GdalLibrary {
   decltype(&OGR_Fld_Create) new_field;
   decltype(&OGR_Fld_Destroy) destroy_field;
   decltype(&OGR_Fld_GetNameRef) field_name;
+  decltype(&OGR_Fld_GetType) field_type;
   decltype(&OGR_Fld_GetSubType) field_subtype;
   decltype(&OGR_G_CreateGeometry) new_geometry;
   decltype(&OGR_G_DestroyGeometry) destroy_geometry;

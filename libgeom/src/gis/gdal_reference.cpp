@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "gdal_sql.h"
 #include "gdal_whole.h"
 #include "geom/text/text_table.h"
 
@@ -38,6 +39,16 @@ std::string text_beside(const DatasetHandle& dataset, const std::string& path,
   return "";
 }
 
+// Of an SQLite database: GDAL complains of that in a GeoPackage alone.
+bool names_row_that_is_gone(const DatasetHandle& dataset) {
+  const std::string_view driver = gdal().driver_name(gdal().driver_of(dataset.get()));
+  if (driver != "SQLite") return false;
+  return !first_text_of(dataset,
+                        "SELECT srid FROM geometry_columns WHERE srid > 0 AND srid NOT IN "
+                        "(SELECT srid FROM spatial_ref_sys) LIMIT 1")
+              .empty();
+}
+
 void refuse_prj(const DatasetHandle& dataset, const std::string& path, const std::string& name) {
   const std::string prj = text_beside(dataset, path, name);
   if (!prj.empty()) refuse(name, fmt::format("a .prj that says {}", in_quotes(prj.substr(0, 60))));
@@ -60,6 +71,8 @@ void require_known_references(const DatasetHandle& dataset, const std::string& p
   }
   if (known) return;
   refuse_prj(dataset, path, name);
+  if (names_row_that_is_gone(dataset))
+    refuse(name, "the number of one that the file does not have");
   if (gml.names_system) refuse(name, "an srsName that is not understood");
   if (!complaint.empty()) refuse(name, fmt::format("one that is not (GDAL: {})", complaint));
 }

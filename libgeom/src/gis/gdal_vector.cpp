@@ -8,6 +8,7 @@
 #include "gdal_arcs.h"
 #include "gdal_gml.h"
 #include "gdal_handles.h"
+#include "gdal_numbers.h"
 #include "gdal_reference.h"
 #include "gdal_whole.h"
 #include "geom/gis/footprint_source.h"
@@ -27,6 +28,7 @@ class VectorReader {
   // `gml`: what its text holds, where it is GML.
   Source read(const DatasetHandle& dataset, const std::string& path, const GmlTold& gml) {
     const std::size_t least = require_whole(dataset, path, name_);
+    require_whole_numbers(dataset, options_.height.attribute, name_);
     for (int i = 0; i < gdal().layer_count(dataset.get()); ++i) {
       const OGRLayerH layer = gdal().layer(dataset.get(), i);
       const std::string crs = text_of(gdal().layer_reference(layer), name_);
