@@ -23,12 +23,14 @@ struct Layout {
   Vec2 high;
   double largest = 0;
 
-  explicit Layout(const std::vector<Footprint>& footprints)
-      : low(footprints.front().polygon.outer.front()), high(low) {
+  // `turn`: what is added to longitudes below 0; else 0.
+  explicit Layout(const std::vector<Footprint>& footprints, double turn = 0)
+      : low(east(footprints.front().polygon.outer.front(), turn)), high(low) {
     for (const Footprint& f : footprints) {
-      Vec2 least = f.polygon.outer.front();
+      Vec2 least = east(f.polygon.outer.front(), turn);
       Vec2 most = least;
-      for (const Vec2& p : f.polygon.outer) {
+      for (const Vec2& corner : f.polygon.outer) {
+        const Vec2 p = east(corner, turn);
         least = least.cwiseMin(p);
         most = most.cwiseMax(p);
       }
@@ -37,6 +39,9 @@ struct Layout {
       largest = std::max(largest, (most - least).maxCoeff());
     }
   }
+
+ private:
+  static Vec2 east(const Vec2& p, double turn) { return {p.x() < 0 ? p.x() + turn : p.x(), p.y()}; }
 };
 
 // Numbers in the range of degrees, and not one footprint as large as a tenth of one: as metres that
@@ -51,6 +56,15 @@ void require_metres(const Layout& layout, const std::string& name) {
                            "like degrees: [{}, {}] to [{}, {}]; name the system, for example with "
                            "`ogr2ogr -a_srs EPSG:4326`, or say that they are metres with --metres",
                            layout.low.x(), layout.low.y(), layout.high.x(), layout.high.y())});
+}
+
+// Of three coordinates that count from the middle of the Earth, a plan has two.
+[[noreturn]] void refuse_geocentric(const std::string& crs, const std::string& name) {
+  throw InputError(name, {.expected = "coordinates in a plane, or longitude and latitude",
+                          .found = fmt::format("a system that counts from the middle of the Earth, "
+                                               "\"{}\"",
+                                               crs.substr(0, 60)),
+                          .advice = "convert it, for example with `ogr2ogr -t_srs EPSG:4979`"});
 }
 
 double kilometres(const Vec2& a, const Vec2& b) {  // longitude, latitude
@@ -130,13 +144,19 @@ struct DistinctPoints {
 Projector::Projector(Source& source, const std::string& name, const std::optional<Vec2>& origin,
                      bool metres)
     : name_(name), transformation_(std::make_unique<Transformation>()) {
-  const Layout layout(source.footprints);
+  Layout layout(source.footprints);
   if (source.crs.empty()) {
     if (!metres) require_metres(layout, name);
     if (origin) frame_.origin = GeodeticOrigin{origin->x(), origin->y(), 0};
     return;
   }
   const ReferenceHandle from = reference_named(source.crs, name);
+  if (gdal().is_geocentric(from.get())) refuse_geocentric(source.crs, name);
+  if (gdal().is_geographic(from.get())) {
+    turn_ = 2 * std::numbers::pi / gdal().angular_unit(from.get(), nullptr);
+    // On both sides of the antimeridian: its middle is there, and not on the other side of Earth.
+    if (layout.high.x() - layout.low.x() > turn_ / 2) layout = Layout(source.footprints, turn_);
+  }
   Vec2 middle = 0.5 * (layout.low + layout.high);  // longitude, latitude once transformed
   const ConversionHandle back = conversion(from, reference_named("EPSG:4326", name));
   if (!back) refuse_conversion(from, name);
@@ -149,13 +169,11 @@ Projector::Projector(Source& source, const std::string& name, const std::optiona
              source.crs.substr(0, 60)),
          .advice = "is that the right coordinate reference system?"});
   }
+  if (middle.x() > 180) middle.x() -= 360;
   Vec2 at = tidy(middle);
   if (origin) {
     at = {origin->y(), origin->x()};
     require_near(at, middle, name, source.warnings);
-  }
-  if (gdal().is_geographic(from.get())) {
-    turn_ = 2 * std::numbers::pi / gdal().angular_unit(from.get(), nullptr);
   }
   const std::string local = plane_about(at);
   transformation_->to_local = conversion(from, reference_named(local, name));

@@ -161,7 +161,9 @@ void sink_ground(std::vector<Footprint>& footprints, std::optional<double> floor
 
 void check_sizes(const Source& source, double slack, const std::string& name) {
   constexpr double kMostSlabs = 1e6;
-  const double reach = std::min(kLargestCoordinate, 1e9 * slack);
+  constexpr double kPlane = 2e6;  // metres from the origin: further away it means nothing any more
+  const double most = std::min(kLargestCoordinate, 1e9 * slack);
+  const double reach = source.crs.empty() ? most : std::min(most, kPlane);
   for (const Footprint& f : source.footprints) {
     Reach around(f.polygon.outer);
     for (const auto& hole : f.polygon.holes) around.add(hole);

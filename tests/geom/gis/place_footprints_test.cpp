@@ -259,6 +259,34 @@ TEST(Project, EdgesGoTheShortWayAroundTheEarth) {
   for (const geom::Vec2& p : ring) EXPECT_LT((p - ring[0]).norm(), 130);
 }
 
+TEST(Projector, TakesTheMiddleOfWhatLiesAcrossTheAntimeridian) {
+  Source both = rectangle_of("EPSG:4326", {179.996, -17}, {180, -16.9996});
+  both.footprints.push_back(
+      rectangle_of("EPSG:4326", {-180, -17}, {-179.988, -16.9996}).footprints[0]);
+  const Projector projector(both, "t.geojson", std::nullopt, false);
+  EXPECT_NEAR(projector.frame().origin->longitude, -179.996, 1e-6);
+  const Source map = projected(both, 0.5);
+  for (const geom::Footprint& f : map.footprints) {
+    for (const geom::Vec2& p : f.polygon.outer) EXPECT_LT(p.norm(), 900);
+  }
+  EXPECT_NO_THROW(Projector(both, "t.geojson", geom::Vec2(-17, 179.9), false));
+}
+
+TEST(Projector, RefusesCoordinatesFromTheMiddleOfTheEarth) {
+  Source source = rectangle_of("EPSG:4978", {2883000, 1340000}, {2883100, 1340100});
+  EXPECT_TRUE(support::says(
+      support::refusal_of([&] { Projector(source, "t.gpkg", std::nullopt, false); }),
+      "t.gpkg: expected coordinates in a plane, or longitude and latitude, found a system"));
+}
+
+TEST(CheckSizes, RefusesWhatIsFarFromTheOrigin) {
+  const Source far = rectangle_of("EPSG:4326", {-3e6, 0}, {-2.9999e6, 100});  // as projected
+  EXPECT_TRUE(support::says(support::refusal_of([&] { check_sizes(far, 0.5, "t.gpkg"); }),
+                            "expected a footprint within 2000000 m of the origin"));
+  const Source local = rectangle_of("", {-3e6, 0}, {-2.9999e6, 100});
+  EXPECT_EQ(support::refusal_of([&] { check_sizes(local, 0.5, "t.gpkg"); }), "");
+}
+
 // The same bits come out whether a point is converted alone or among others.
 TEST(Projector, ConvertsEachPointAsIfItWereAlone) {
   Source source = grid_of("EPSG:32633", {600000, 5340000}, 10);

@@ -32,7 +32,8 @@ void lift(Source& source, const Terrain& terrain, const std::string& crs);
 void sink_ground(std::vector<Footprint>& footprints, std::optional<double> floor);
 
 // What cover asks of its numbers, and that it ends: a footprint is cut into slabs no lower
-// than the slack (metres). Throws InputError(name, …).
+// than the slack (metres). One with a CRS lies within 2,000 km of the origin. Throws
+// InputError(name, …).
 void check_sizes(const Source& source, double slack, const std::string& name);
 
 }  // namespace geom::gis
