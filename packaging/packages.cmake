@@ -82,7 +82,7 @@ if(SKYWAY_FOOTPRINTS)
 Reads GeoJSON, GeoPackage, Shapefile, FlatGeobuf, OpenStreetMap, CityJSON and
 height models, and makes box maps of them for the tools of the package skyway.")
   set(CPACK_DEBIAN_FOOTPRINTS_PACKAGE_RECOMMENDS skyway)
-  set(CPACK_DEBIAN_FOOTPRINTS_PACKAGE_DEPENDS "libexpat1, libgdal32${skyway_part_depends}")
+  set(CPACK_DEBIAN_FOOTPRINTS_PACKAGE_DEPENDS "libexpat1, libgdal32, libproj25${skyway_part_depends}")
 endif()
 
 if(SKYWAY_CLOUD)

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "geom/base/error.h"
+#include "geom/earth/proj_way.h"
+#include "geom/map/geographic_frame.h"
 
 namespace geom {
 namespace {
@@ -47,6 +49,37 @@ std::optional<double> agreed(std::optional<double> file, std::optional<double> p
                            short_name(told))});
 }
 
+[[noreturn]] void no_way(const CoordinateReference& told, const std::string& source) {
+  throw InputError(
+      source,
+      {.says = fmt::format("PROJ knows no way from the reference system \"{}\" to places on Earth",
+                           short_name(told)),
+       .advice = "say which it is with --crs, for example --crs EPSG:25832"});
+}
+
+void convert(std::span<CloudPoint> points, const ProjWay& way, const CoordinateReference& told,
+             const std::string& source) {
+  const Vec3 first = points.front().position;
+  way.forward(&points[0].position.x(), points.size(), sizeof(CloudPoint));
+  for (const CloudPoint& p : points) {
+    if (p.position.allFinite()) continue;
+    throw InputError(
+        source,
+        {.says = fmt::format("PROJ cannot tell where on Earth a point is: it, or one read with it, "
+                             "is near ({}, {}) of \"{}\"; is that the right reference system?",
+                             first.x(), first.y(), short_name(told))});
+  }
+}
+
+// To 1e-3 degrees.
+GeodeticOrigin origin_near(CloudPoint point, const ProjReference& reference,
+                           const std::string& source) {
+  const auto way = ProjWay::to_places(reference);
+  if (!way) no_way(reference.told(), source);
+  convert({&point, 1}, *way, reference.told(), source);
+  return tidy_origin(point.position.head<2>(), 1e3);
+}
+
 // Further away the plane about the origin means nothing any more.
 void require_near(const Vec3& p, const GeodeticOrigin& origin, const std::string& source) {
   constexpr double kFar = 1e6;  // metres
@@ -71,11 +104,11 @@ CoordinateReference CloudPlace::understood(const CoordinateReference& file,
   replaced_.clear();
   reference_.reset();
   if (!options_.crs.empty()) {
-    if (!knows_reference(options_.crs)) {
+    reference_ = ProjReference::of(options_.crs);
+    if (!reference_ || reference_->told().kind == Kind::not_known) {
       throw InputError(source, {.says = fmt::format("PROJ knows no reference system \"{}\"",
                                                     options_.crs.substr(0, 80))});
     }
-    reference_ = ProjReference::of(options_.crs);
     if (file.kind != Kind::none) replaced_ = short_name(file);
     return reference_->told();
   }
@@ -171,7 +204,8 @@ void CloudPlace::settle_frame(const CoordinateReference& told, const std::string
 
 void CloudPlace::lead_to(const GeodeticOrigin& origin) {
   origin_ = origin;
-  way_ = way_to_plane(*reference_, origin, source_);
+  way_ = ProjWay::to_plane(*reference_, origin);
+  if (!way_) no_way(reference_->told(), source_);
   frame_.origin = origin;
   frame_.crs = plane_about(origin);
 }
@@ -194,8 +228,8 @@ void CloudPlace::place(std::span<CloudPoint> points) {
     for (CloudPoint& p : points) p.position = p.position.cwiseProduct(metres_);
     return;
   }
-  if (!way_) lead_to(origin_near(*reference_, points.front().position, source_));
-  way_->project(points);
+  if (!way_) lead_to(origin_near(points.front(), *reference_, source_));
+  convert(points, *way_, reference_->told(), source_);
   for (CloudPoint& p : points) {
     require_near(p.position, *origin_, source_);
     p.position.z() = p.position.z() * metres_.z() - origin_->height;

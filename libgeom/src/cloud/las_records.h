@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "geom/cloud/coordinate_reference.h"
+#include "geom/earth/coordinate_reference.h"
 #include "las_header.h"
 #include "laz_setup.h"
 

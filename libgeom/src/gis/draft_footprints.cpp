@@ -151,7 +151,7 @@ std::optional<double> floor_of(const MakeMapOptions& map) {
 
 // The source in the coordinates of the map, on the ground where there is a terrain.
 Frame place(Source& source, const FootprintDraftOptions& options, const std::string& name) {
-  if (options.metres && !source.crs.empty()) {
+  if (options.metres && source.crs) {
     throw UsageError(
         fmt::format("--metres is for numbers without a coordinate reference "
                     "system, and {} names one: leave it out",
@@ -163,7 +163,7 @@ Frame place(Source& source, const FootprintDraftOptions& options, const std::str
   project(source, projector, slack);
   if (!options.terrain.empty()) {
     const Terrain terrain(options.terrain, options.terrain, options.read);
-    lift(source, terrain, projector.frame().crs);
+    lift(source, terrain, projector.frame());
   }
   check_sizes(source, slack, name);
   for (const Footprint& f : source.footprints) {

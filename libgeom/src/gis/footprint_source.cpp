@@ -7,6 +7,7 @@
 
 #include "geom/base/error.h"
 #include "geom/text/text_table.h"
+#include "required_reference.h"
 
 namespace geom::gis {
 namespace {
@@ -115,6 +116,25 @@ std::string heights_fault(const Source& source) {
                       : ", or name the attribute that is the height with --height-attribute; "
                         "numbers that they have: " +
                             numeric);
+}
+
+std::optional<double> height_unit(const std::optional<ProjReference>& crs, const std::string& name,
+                                  const ReadOptions& options) {
+  if (!crs) return options.height_unit.value_or(1);
+  require_upward(*crs, name);
+  if (options.height_unit) return options.height_unit;
+  if (crs->told().up || crs->told().up_unclear) return crs->told().up;
+  if (crs->is_geographic() || std::abs(crs->unit().value_or(0) - 1) < 1e-9) return 1;
+  return std::nullopt;
+}
+
+void refuse_heights(const std::string& name, const ProjReference& crs) {
+  throw InputError(
+      name,
+      {.says = fmt::format(
+           "the file has coordinates in units of {} m, and does not say the unit of its heights",
+           crs.unit().value_or(1)),
+       .advice = "give --height-units m, ft or us-ft"});
 }
 
 }  // namespace geom::gis

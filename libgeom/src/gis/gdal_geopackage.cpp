@@ -61,7 +61,7 @@ bool add_row(OGRLayerH layer, const GeoRow& row, const GeoTable& table) {
 }
 
 void write_table(const DatasetHandle& file, const GeoTable& table, const std::string& path) {
-  const ReferenceHandle reference = reference_named("EPSG:4979", path);
+  const ReferenceHandle reference = reference_to_write("EPSG:4979", path);
   const OGRLayerH layer =
       gdal().create_layer(file.get(), table.name.c_str(), reference.get(), type_of(table), nullptr);
   if (!layer) fail(path, "it takes no table");

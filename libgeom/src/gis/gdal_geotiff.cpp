@@ -6,7 +6,7 @@
 
 #include "gdal_handles.h"
 #include "geom/gis/geotiff.h"
-#include "geom/text/number.h"
+#include "geom/map/geographic_frame.h"
 
 namespace geom::gis {
 namespace {
@@ -18,12 +18,7 @@ namespace {
 
 // Of the map's metres; empty where nobody knows.
 std::string crs_of(const Frame& frame) {
-  if (!frame.crs.empty() || !frame.origin) return frame.crs;
-  std::string out = "+proj=tmerc +lat_0=";
-  append_number(out, frame.origin->latitude);
-  out += " +lon_0=";
-  append_number(out, frame.origin->longitude);
-  return out + " +k=1 +x_0=0 +y_0=0 +datum=WGS84 +units=m +no_defs";
+  return !frame.crs.empty() || !frame.origin ? frame.crs : plane_about(*frame.origin);
 }
 
 void place(const DatasetHandle& file, const NumberGrid& grid, const Frame& frame,
@@ -37,7 +32,7 @@ void place(const DatasetHandle& file, const NumberGrid& grid, const Frame& frame
   gdal().set_geo_transform(file.get(), transform);
   const std::string crs = crs_of(frame);
   if (crs.empty()) return;
-  const ReferenceHandle reference = reference_named(crs, path);
+  const ReferenceHandle reference = reference_to_write(crs, path);
   if (gdal().set_spatial_reference(file.get(), reference.get()) != CE_None) {
     fail(path, "it takes no reference system");
   }

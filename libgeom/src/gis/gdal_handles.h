@@ -6,10 +6,12 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "gdal_library.h"
 #include "geom/base/error.h"
+#include "required_reference.h"
 
 namespace geom::gis {
 
@@ -22,19 +24,6 @@ struct DestroyReference {
   void operator()(void* reference) const { gdal().destroy_reference(reference); }
 };
 using ReferenceHandle = std::unique_ptr<void, DestroyReference>;
-
-// GDAL keeps a conversion that is given back, and gives it to the next caller. PROJ would search
-// for it again, which takes 10 ms.
-struct DestroyConversion {
-  void operator()(void* conversion) const { gdal().destroy_transformation(conversion); }
-};
-using ConversionHandle = std::unique_ptr<void, DestroyConversion>;
-
-struct DestroyConversionOptions {
-  void operator()(OGRCoordinateTransformationOptions* options) const {
-    gdal().destroy_conversion_options(options);
-  }
-};
 
 struct DestroyFeature {
   void operator()(void* feature) const { gdal().destroy_feature(feature); }
@@ -68,67 +57,38 @@ inline DatasetHandle opened(const std::string& path, unsigned kind) {
       gdal().open(path.c_str(), kind | GDAL_OF_READONLY, nullptr, nullptr, nullptr));
 }
 
-// With x east and y north, or longitude before latitude. Throws InputError(name, …) for a text that
-// PROJ does not know.
-inline ReferenceHandle reference_named(const std::string& text, const std::string& name) {
+// For a file that GDAL writes. Throws InputError(path, …) for a text that PROJ does not know.
+inline ReferenceHandle reference_to_write(const std::string& text, const std::string& path) {
   ReferenceHandle out(gdal().new_reference(nullptr));
   if (gdal().reference_from_text(out.get(), text.c_str()) != OGRERR_NONE) {
-    throw InputError(name, {.expected = "a coordinate reference system that PROJ knows",
+    throw InputError(path, {.expected = "a coordinate reference system that PROJ knows",
                             .found = in_quotes(text.substr(0, 80))});
   }
   gdal().set_axis_mapping(out.get(), OAMS_TRADITIONAL_GIS_ORDER);
   return out;
 }
 
-// Throws InputError(name, …) where a system has a vertical part that counts downwards.
-inline void require_upward(const ReferenceHandle& system, const std::string& name) {
-  OGRAxisOrientation direction = OAO_Other;
-  gdal().axis_of(system.get(), "VERT_CS", 0, &direction);
-  if (direction != OAO_Down) return;
-  const char* const said = gdal().reference_name(system.get());
-  throw InputError(
-      name, {.expected = "heights that count upwards",
-             .found = fmt::format("depths, as the reference system \"{}\" says",
-                                  std::string(said ? said : "").substr(0, 80)),
-             .advice = "turn their sign, for example with `gdal_calc.py`, and name a system of "
-                       "heights"});
+// Its well-known text; empty for none, and for one that GDAL did not understand.
+inline std::string text_of(OGRSpatialReferenceH reference) {
+  char* said = nullptr;
+  if (reference) gdal().reference_to_text(reference, &said);
+  const BytesHandle<char> owner(said);
+  return said ? said : "";
 }
 
-// Null where PROJ knows none. Never one that takes two datums for one.
-inline ConversionHandle conversion(const ReferenceHandle& from, const ReferenceHandle& to) {
-  const std::unique_ptr<OGRCoordinateTransformationOptions, DestroyConversionOptions> options(
-      gdal().new_conversion_options());
-  gdal().allow_ballpark(options.get(), FALSE);
-  return ConversionHandle(gdal().new_transformation(from.get(), to.get(), options.get()));
-}
-
-// The refusal where conversion() between this system and places on Earth is null.
-[[noreturn]] inline void refuse_conversion(const ReferenceHandle& system, const std::string& name) {
-  const char* const said = gdal().reference_name(system.get());
-  throw InputError(
-      name,
-      {.says = fmt::format("PROJ knows no way from the reference system \"{}\" to places on Earth",
-                           std::string(said ? said : "").substr(0, 80)),
-       .advice = "say in the file which it is, for example with `ogr2ogr -a_srs EPSG:25832`, or "
-                 "`gdal_translate -a_srs` for a raster"});
-}
-
-// Empty for none and for a local one, whose units must be metres.
-inline std::string text_of(OGRSpatialReferenceH reference, const std::string& name) {
-  if (!reference) return "";
-  if (gdal().is_local(reference)) {
-    const double unit = gdal().linear_unit(reference, nullptr);
-    if (std::abs(unit - 1) > 1e-9) {
-      throw InputError(name, {.expected = "local coordinates in metres",
-                              .found = fmt::format("units of {} m", unit),
-                              .advice = "convert them first"});
-    }
-    return "";
-  }
-  char* text = nullptr;
-  gdal().reference_to_text(reference, &text);
-  const BytesHandle<char> owner(text);
-  return text ? text : "";
+// What a file that GDAL reads says. Nothing for none and for a local one, whose units must be
+// metres.
+inline std::optional<ProjReference> reference_of(OGRSpatialReferenceH reference,
+                                                 const std::string& name) {
+  const std::string text = text_of(reference);
+  if (text.empty()) return std::nullopt;
+  ProjReference out = required_reference(text, name);
+  const CoordinateReference& told = out.told();
+  if (told.kind != CoordinateReference::Kind::metric || out.places()) return out;
+  if (told.plane && std::abs(*told.plane - 1) < 1e-9) return std::nullopt;
+  throw InputError(name, {.expected = "local coordinates in metres",
+                          .found = fmt::format("units of {} m", out.unit().value_or(0)),
+                          .advice = "convert them first"});
 }
 
 }  // namespace geom::gis

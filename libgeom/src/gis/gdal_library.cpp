@@ -63,27 +63,10 @@ GdalLibrary load() {
           .set_spatial_reference = SKYWAY_FUNCTION(library, GDALSetSpatialRef),
           .new_reference = SKYWAY_FUNCTION(library, OSRNewSpatialReference),
           .destroy_reference = SKYWAY_FUNCTION(library, OSRDestroySpatialReference),
-          .clone_reference = SKYWAY_FUNCTION(library, OSRClone),
           .reference_from_text = SKYWAY_FUNCTION(library, OSRSetFromUserInput),
           .set_axis_mapping = SKYWAY_FUNCTION(library, OSRSetAxisMappingStrategy),
           .reference_to_text = SKYWAY_FUNCTION(library, OSRExportToWkt),
           .is_same_reference = SKYWAY_FUNCTION(library, OSRIsSameEx),
-          .is_geocentric = SKYWAY_FUNCTION(library, OSRIsGeocentric),
-          .is_geographic = SKYWAY_FUNCTION(library, OSRIsGeographic),
-          .is_local = SKYWAY_FUNCTION(library, OSRIsLocal),
-          .is_vertical = SKYWAY_FUNCTION(library, OSRIsVertical),
-          .axis_of = SKYWAY_FUNCTION(library, OSRGetAxis),
-          .linear_unit = SKYWAY_FUNCTION(library, OSRGetLinearUnits),
-          .angular_unit = SKYWAY_FUNCTION(library, OSRGetAngularUnits),
-          .linear_unit_of = SKYWAY_FUNCTION(library, OSRGetTargetLinearUnits),
-          .area_of_use = SKYWAY_FUNCTION(library, OSRGetAreaOfUse),
-          .has_latitude_first = SKYWAY_FUNCTION(library, OSREPSGTreatsAsLatLong),
-          .has_northing_first = SKYWAY_FUNCTION(library, OSREPSGTreatsAsNorthingEasting),
-          .reference_name = SKYWAY_FUNCTION(library, OSRGetName),
-          .new_transformation = SKYWAY_FUNCTION(library, OCTNewCoordinateTransformationEx),
-          .destroy_transformation = SKYWAY_FUNCTION(library, OCTDestroyCoordinateTransformation),
-          .transform = SKYWAY_FUNCTION(library, OCTTransform),
-          .transform_each = SKYWAY_FUNCTION(library, OCTTransformEx),
           .create_layer = SKYWAY_FUNCTION(library, GDALDatasetCreateLayer),
           .layer_named = SKYWAY_FUNCTION(library, GDALDatasetGetLayerByName),
           .layer_count = SKYWAY_FUNCTION(library, GDALDatasetGetLayerCount),
@@ -146,18 +129,7 @@ GdalLibrary load() {
           .points = SKYWAY_FUNCTION(library, OGR_G_GetPoints)};
 }
 
-// Those whose names are too long for the table.
-void load_conversion_options(GdalLibrary& to) {
-  const LoadedLibrary library(SKYWAY_GDAL_SONAME, "libgdal32");
-  to.new_conversion_options = SKYWAY_FUNCTION(library, OCTNewCoordinateTransformationOptions);
-  to.destroy_conversion_options =
-      SKYWAY_FUNCTION(library, OCTDestroyCoordinateTransformationOptions);
-  to.allow_ballpark =
-      SKYWAY_FUNCTION(library, OCTCoordinateTransformationOptionsSetBallparkAllowed);
-}
-
 GdalLibrary prepared(GdalLibrary library) {
-  load_conversion_options(library);
   library.set_error_handler(library.quiet_error_handler);
   library.set_option("OGR_CURRENT_DATE", "2000-01-01T00:00:00Z");  // the same bytes at any time
   library.set_option("GTIFF_REPORT_COMPD_CS", "YES");  // heights or depths, of all versions

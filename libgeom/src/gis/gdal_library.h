@@ -68,27 +68,10 @@ struct GdalLibrary {
   decltype(&GDALSetSpatialRef) set_spatial_reference;
   decltype(&OSRNewSpatialReference) new_reference;
   decltype(&OSRDestroySpatialReference) destroy_reference;
-  decltype(&OSRClone) clone_reference;
   decltype(&OSRSetFromUserInput) reference_from_text;
   decltype(&OSRSetAxisMappingStrategy) set_axis_mapping;
   decltype(&OSRExportToWkt) reference_to_text;
   decltype(&OSRIsSameEx) is_same_reference;
-  decltype(&OSRIsGeocentric) is_geocentric;
-  decltype(&OSRIsGeographic) is_geographic;
-  decltype(&OSRIsLocal) is_local;
-  decltype(&OSRIsVertical) is_vertical;
-  decltype(&OSRGetAxis) axis_of;
-  decltype(&OSRGetLinearUnits) linear_unit;
-  decltype(&OSRGetAngularUnits) angular_unit;
-  decltype(&OSRGetTargetLinearUnits) linear_unit_of;
-  decltype(&OSRGetAreaOfUse) area_of_use;
-  decltype(&OSREPSGTreatsAsLatLong) has_latitude_first;
-  decltype(&OSREPSGTreatsAsNorthingEasting) has_northing_first;
-  decltype(&OSRGetName) reference_name;
-  decltype(&OCTNewCoordinateTransformationEx) new_transformation;
-  decltype(&OCTDestroyCoordinateTransformation) destroy_transformation;
-  decltype(&OCTTransform) transform;
-  decltype(&OCTTransformEx) transform_each;
   decltype(&GDALDatasetCreateLayer) create_layer;
   decltype(&GDALDatasetGetLayerByName) layer_named;
   decltype(&GDALDatasetGetLayerCount) layer_count;
@@ -149,9 +132,6 @@ struct GdalLibrary {
   decltype(&OGR_G_GetPointCount) point_count;
   decltype(&OGR_G_GetPoint) point;
   decltype(&OGR_G_GetPoints) points;
-  decltype(&OCTNewCoordinateTransformationOptions) new_conversion_options = nullptr;
-  decltype(&OCTDestroyCoordinateTransformationOptions) destroy_conversion_options = nullptr;
-  decltype(&OCTCoordinateTransformationOptionsSetBallparkAllowed) allow_ballpark = nullptr;
 };
 
 // Loads it at the first call. Throws std::runtime_error where GDAL is not installed. GDAL says

@@ -25,15 +25,13 @@ class Raster {
                                 : "a file that GDAL cannot open as one"});
     }
     require_whole_raster(dataset_, path_);
-    const OGRSpatialReferenceH reference = gdal().spatial_reference(dataset_.get());
-    if (!reference || gdal().geo_transform(dataset_.get(), forward_) != CE_None ||
+    const auto own = reference_of(gdal().spatial_reference(dataset_.get()), path);
+    if (!own || gdal().geo_transform(dataset_.get(), forward_) != CE_None ||
         !gdal().invert_geo_transform(forward_, inverse_)) {
       refuse({.expected = "a raster that says where on Earth its cells are",
               .found = "one that does not"});
     }
-    own_.reset(gdal().clone_reference(reference));
-    gdal().set_axis_mapping(own_.get(), OAMS_TRADITIONAL_GIS_ORDER);
-    earth_ = reference_named("EPSG:4326", path);
+    way_ = required_way(ProjWay::to_places(*own), *own, path);
     width_ = gdal().raster_width(dataset_.get());
     height_ = gdal().raster_height(dataset_.get());
   }
@@ -48,17 +46,18 @@ class Raster {
 
   Window window(const Vec2& low, const Vec2& high) const {
     double c0 = std::numeric_limits<double>::infinity(), c1 = -c0, r0 = c0, r1 = -c0;
-    std::vector<double> x, y;
+    std::vector<Vec2> points;
     for (int i = 0; i <= kSteps; ++i) {
       for (int k = 0; k <= kSteps; ++k) {
-        x.push_back(low.y() + (high.y() - low.y()) * i / kSteps);
-        y.push_back(low.x() + (high.x() - low.x()) * k / kSteps);
+        points.emplace_back(low.y() + (high.y() - low.y()) * i / kSteps,
+                            low.x() + (high.x() - low.x()) * k / kSteps);
       }
     }
-    transform(earth_, own_, x, y);
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      const double column = inverse_[0] + x[i] * inverse_[1] + y[i] * inverse_[2];
-      const double row = inverse_[3] + x[i] * inverse_[4] + y[i] * inverse_[5];
+    way_->back(points);
+    require_places(points);
+    for (const Vec2& p : points) {
+      const double column = inverse_[0] + p.x() * inverse_[1] + p.y() * inverse_[2];
+      const double row = inverse_[3] + p.x() * inverse_[4] + p.y() * inverse_[5];
       c0 = std::min(c0, column), c1 = std::max(c1, column);
       r0 = std::min(r0, row), r1 = std::max(r1, row);
     }
@@ -105,28 +104,26 @@ class Raster {
  private:
   [[noreturn]] void refuse(Fault fault) const { throw InputError(path_, std::move(fault)); }
 
-  void transform(const ReferenceHandle& from, const ReferenceHandle& to, std::vector<double>& x,
-                 std::vector<double>& y) const {
-    const ConversionHandle way = conversion(from, to);
-    if (!way) refuse_conversion(own_, path_);
-    if (!gdal().transform(way.get(), static_cast<int>(x.size()), x.data(), y.data(), nullptr)) {
-      refuse({.says = fmt::format("its coordinates cannot be converted (GDAL: {})",
-                                  gdal().last_error())});
+  void require_places(const std::vector<Vec2>& converted) const {
+    for (const Vec2& p : converted) {
+      if (!p.allFinite())
+        refuse({.says = "PROJ cannot convert its coordinates to places on Earth"});
     }
   }
 
   // Of all corners of the window's cells.
   std::vector<GeodeticPlace> places(const Window& at) const {
-    std::vector<double> x, y;
+    std::vector<Vec2> points;
     for (int row = at.row; row <= at.row + at.rows; ++row) {
       for (int column = at.column; column <= at.column + at.columns; ++column) {
-        x.push_back(forward_[0] + column * forward_[1] + row * forward_[2]);
-        y.push_back(forward_[3] + column * forward_[4] + row * forward_[5]);
+        points.emplace_back(forward_[0] + column * forward_[1] + row * forward_[2],
+                            forward_[3] + column * forward_[4] + row * forward_[5]);
       }
     }
-    transform(own_, earth_, x, y);
+    way_->forward(points);
+    require_places(points);
     std::vector<GeodeticPlace> out;
-    for (std::size_t i = 0; i < x.size(); ++i) out.push_back({y[i], x[i], 0});
+    for (const Vec2& p : points) out.push_back({p.y(), p.x(), 0});
     return out;
   }
 
@@ -141,8 +138,7 @@ class Raster {
 
   std::string path_;
   DatasetHandle dataset_;
-  ReferenceHandle own_;
-  ReferenceHandle earth_;
+  std::optional<ProjWay> way_;
   double forward_[6] = {};
   double inverse_[6] = {};
   int width_ = 0;

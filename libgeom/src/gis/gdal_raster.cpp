@@ -24,7 +24,7 @@ struct Raster {
   DatasetHandle dataset;
   std::optional<RasterCells> cells;
   CellGrid grid;
-  std::string crs;
+  std::optional<ProjReference> crs;
   int width = 0;
   int height = 0;
   double metres = 1;  // per unit of the numbers
@@ -74,13 +74,13 @@ double metres_per(const std::string& unit, const std::string& name) {
 }
 
 // What the band says; else as other heights of its CRS.
-double metres_per_unit(GDALRasterBandH band, const std::string& crs, const std::string& name,
-                       const ReadOptions& options) {
-  if (!crs.empty()) require_upward(reference_named(crs, name), name);
+double metres_per_unit(GDALRasterBandH band, const std::optional<ProjReference>& crs,
+                       const std::string& name, const ReadOptions& options) {
+  if (crs) require_upward(*crs, name);
   const std::string unit = gdal().raster_unit(band);
   if (unit.empty()) {
     const auto metres = height_unit(crs, name, options);
-    if (!metres) refuse_heights(name, crs);
+    if (!metres) refuse_heights(name, *crs);
     return *metres;
   }
   const double metres = metres_per(unit, name);
@@ -125,7 +125,7 @@ Raster open_raster(const std::string& path, const std::string& name, const ReadO
                       .advice = "give it a place, for example with `gdal_translate -a_ullr`"});
   }
   require_known_raster_reference(raster.dataset, path, name);
-  raster.crs = text_of(gdal().spatial_reference(dataset), name);
+  raster.crs = reference_of(gdal().spatial_reference(dataset), name);
   raster.metres = metres_per_unit(raster.cells->band(), raster.crs, name, options);
   return raster;
 }
@@ -139,9 +139,9 @@ class SurfaceReader {
   // one box can be; else cover() makes several of each.
   Source read() {
     out_.crs = raster_.crs;
-    if (!raster_.crs.empty()) out_.grid = raster_.grid;
+    if (raster_.crs) out_.grid = raster_.grid;
     const CellLean lean =
-        lean_of(raster_.grid, raster_.width, raster_.height, raster_.crs, name_, options_.origin);
+        lean_of(raster_.grid, raster_.width, raster_.height, raster_.crs, options_.origin);
     const long columns = within_slack(lean.column);
     const long rows = within_slack(lean.row);
     if (std::min(columns, rows) >= 2) {
@@ -335,13 +335,7 @@ std::optional<Terrain::Range> Terrain::surface(std::span<const Vec2> around) con
 }
 
 std::optional<Terrain::Range> Terrain::range(const Vec2& low, const Vec2& high,
-                                             const std::string& crs) const {
-  ConversionHandle to_raster;
-  if (!crs.empty() && !crs_.empty()) {
-    const ReferenceHandle own = reference_named(crs_, name_);
-    to_raster = conversion(reference_named(crs, name_), own);
-    if (!to_raster) refuse_conversion(own, name_);
-  }
+                                             const std::optional<ProjWay>& way) const {
   double inverse[6];
   double forward[6];
   std::copy(transform_, transform_ + 6, forward);
@@ -351,9 +345,9 @@ std::optional<Terrain::Range> Terrain::range(const Vec2& low, const Vec2& high,
   }
   Vec2 first = Vec2::Constant(std::numeric_limits<double>::infinity());  // column, row
   Vec2 last = -first;
-  for (Vec2 p : around_rectangle(low, high)) {
-    if (to_raster && !gdal().transform(to_raster.get(), 1, &p.x(), &p.y(), nullptr))
-      return std::nullopt;
+  std::vector<Vec2> around = around_rectangle(low, high);
+  if (way) way->back(around);
+  for (const Vec2& p : around) {
     const Vec2 cell(inverse[0] + p.x() * inverse[1] + p.y() * inverse[2],
                     inverse[3] + p.x() * inverse[4] + p.y() * inverse[5]);
     if (!cell.allFinite()) return std::nullopt;

@@ -18,11 +18,6 @@ namespace {
                        "out.gpkg in.shp`, or take the name away where coordinates are metres"});
 }
 
-// A local system has coordinates in metres; one without a text is one that GDAL did not understand.
-bool is_known(OGRSpatialReferenceH reference, const std::string& name) {
-  return reference && (gdal().is_local(reference) || !text_of(reference, name).empty());
-}
-
 // What the .prj says that belongs to a shapefile, a table or a grid; empty for other files.
 std::string text_beside(const DatasetHandle& dataset, const std::string& path,
                         const std::string& name) {
@@ -60,7 +55,7 @@ void require_known_references(const DatasetHandle& dataset, const std::string& p
                               const GmlTold& gml, const std::string& name) {
   bool known = true;
   for (int i = 0; i < gdal().layer_count(dataset.get()); ++i) {
-    known &= is_known(gdal().layer_reference(gdal().layer(dataset.get(), i)), name);
+    known &= !text_of(gdal().layer_reference(gdal().layer(dataset.get(), i))).empty();
   }
   const std::string complaint = gdal().last_error();
   if (gml.systems.size() > 1) {
@@ -79,7 +74,7 @@ void require_known_references(const DatasetHandle& dataset, const std::string& p
 
 void require_known_raster_reference(const DatasetHandle& dataset, const std::string& path,
                                     const std::string& name) {
-  if (!is_known(gdal().spatial_reference(dataset.get()), name)) refuse_prj(dataset, path, name);
+  if (text_of(gdal().spatial_reference(dataset.get())).empty()) refuse_prj(dataset, path, name);
 }
 
 bool has_reference_of(OGRGeometryH geometry, OGRLayerH layer) {

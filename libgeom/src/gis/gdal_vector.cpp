@@ -31,8 +31,8 @@ class VectorReader {
     require_whole_numbers(dataset, options_.height.attribute, name_);
     for (int i = 0; i < gdal().layer_count(dataset.get()); ++i) {
       const OGRLayerH layer = gdal().layer(dataset.get(), i);
-      const std::string crs = text_of(gdal().layer_reference(layer), name_);
-      if (i > 0 && crs != out_.crs) {
+      const auto crs = reference_of(gdal().layer_reference(layer), name_);
+      if (i > 0 && (crs ? crs->told().crs : "") != (out_.crs ? out_.crs->told().crs : "")) {
         throw InputError(
             name_, {.expected = "one coordinate reference system in all layers",
                     .found = fmt::format("another in layer \"{}\"", gdal().layer_name(layer))});
@@ -109,7 +109,7 @@ class VectorReader {
       HeightOptions options = options_.height;
       options.unit = unit_.value_or(1);
       height = building_height(tag, options);
-      if (height.bare && !unit_) refuse_heights(name_, out_.crs);
+      if (height.bare && !unit_) refuse_heights(name_, *out_.crs);
     }
     add_polygons(geometry, static_cast<std::uint64_t>(id), height);
     raise(before, height);
@@ -238,7 +238,7 @@ class VectorReader {
     OGREnvelope3D reach;
     gdal().envelope(polygon, &reach);
     if (!gdal().is_3d(polygon) || (reach.MinZ == 0 && reach.MaxZ == 0)) return {};
-    if (!unit_) refuse_heights(name_, out_.crs);
+    if (!unit_) refuse_heights(name_, *out_.crs);
     const Levels levels{reach.MinZ * *unit_, reach.MaxZ * *unit_};
     if (!(std::abs(levels.low) <= 1e4 && std::abs(levels.high) <= 1e4)) {
       throw InputError(name_, {.item = std::string(which_),
@@ -327,32 +327,6 @@ Source read_vector(const std::string& path, const std::string& name, const ReadO
   source.beside = files_beside(dataset, path);
   source.skipped.add(links);
   return source;
-}
-
-std::optional<double> height_unit(const std::string& crs, const std::string& name,
-                                  const ReadOptions& options) {
-  if (crs.empty()) return options.height_unit.value_or(1);
-  const ReferenceHandle system = reference_named(crs, name);
-  require_upward(system, name);
-  if (options.height_unit) return options.height_unit;
-  if (gdal().is_vertical(system.get())) {
-    return gdal().linear_unit_of(system.get(), "VERT_CS", nullptr);
-  }
-  if (gdal().is_geographic(system.get()) ||
-      std::abs(gdal().linear_unit(system.get(), nullptr) - 1) < 1e-9) {
-    return 1;
-  }
-  return std::nullopt;
-}
-
-void refuse_heights(const std::string& name, const std::string& crs) {
-  const double unit = gdal().linear_unit(reference_named(crs, name).get(), nullptr);
-  throw InputError(
-      name,
-      {.says = fmt::format(
-           "the file has coordinates in units of {} m, and does not say the unit of its heights",
-           unit),
-       .advice = "give --height-units m, ft or us-ft"});
 }
 
 }  // namespace geom::gis

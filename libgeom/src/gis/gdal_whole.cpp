@@ -74,7 +74,7 @@ void require_known_crs(const Json& root, const std::string& name) {
                             .advice = "write its name, or take the member away where coordinates "
                                       "are longitude and latitude (WGS 84)"});
   }
-  reference_named(system.get<std::string>(), name);
+  required_reference(system.get<std::string>(), name);
 }
 
 void refuse_own_crs(const Json& feature, const std::string& what, const std::string& name) {

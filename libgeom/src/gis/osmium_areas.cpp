@@ -21,6 +21,7 @@
 #include "geom/base/error.h"
 #include "geom/gis/footprint_source.h"
 #include "osm_obstacle.h"
+#include "required_reference.h"
 #include "xml_heads.h"
 
 namespace geom::gis {
@@ -355,7 +356,7 @@ template <class Each>
 Source read_buildings(const osmium::io::File& file, const std::string& name,
                       const ReadOptions& options, const Each& each) {
   Source out;
-  out.crs = "EPSG:4326";
+  out.crs = required_reference("EPSG:4326", name);
   osmium::area::MultipolygonManager<osmium::area::Assembler> manager(
       osmium::area::Assembler::config_type{});
   osmium::relations::read_relations(file, manager);

@@ -8,6 +8,7 @@
 
 #include "edge_follower.h"
 #include "geom/base/error.h"
+#include "required_reference.h"
 
 namespace geom::gis {
 namespace {
@@ -131,10 +132,15 @@ void project(Source& source, const Projector& projector, double slack) {
   }
 }
 
-void lift(Source& source, const Terrain& terrain, const std::string& crs) {
+void lift(Source& source, const Terrain& terrain, const Frame& frame) {
+  std::optional<ProjWay> way;
+  if (!frame.crs.empty() && terrain.crs()) {
+    way = required_way(ProjWay::to_plane(*terrain.crs(), *frame.origin), *terrain.crs(),
+                       terrain.name());
+  }
   for (Footprint& f : source.footprints) {
     const Reach reach(f.polygon.outer);
-    const auto ground = terrain.range(reach.low, reach.high, crs);
+    const auto ground = terrain.range(reach.low, reach.high, way);
     const std::string which = fmt::format("feature {}", f.id);
     if (!ground) {
       ++source.counts["footprints_without_terrain"];
@@ -163,7 +169,7 @@ void check_sizes(const Source& source, double slack, const std::string& name) {
   constexpr double kMostSlabs = 1e6;
   constexpr double kPlane = 2e6;  // metres from the origin: further away it means nothing any more
   const double most = std::min(kLargestCoordinate, 1e9 * slack);
-  const double reach = source.crs.empty() ? most : std::min(most, kPlane);
+  const double reach = source.crs ? std::min(most, kPlane) : most;
   for (const Footprint& f : source.footprints) {
     Reach around(f.polygon.outer);
     for (const auto& hole : f.polygon.holes) around.add(hole);

@@ -14,8 +14,9 @@
 namespace geom::gis {
 namespace {
 
-// Whether a file's text says so; the word may stand at its very end.
-bool says(const std::string& path, std::string_view word) {
+// Whether a file's text says so; the word may stand at its very end. `head`: how it begins.
+bool says(std::string_view head, const std::string& path, std::string_view word) {
+  if (head.find(word) != head.npos) return true;
   std::ifstream file(path, std::ios::binary);
   const std::string text(std::istreambuf_iterator<char>(file), {});
   if (file.bad()) throw InputError(path, {.says = "reading failed"});
@@ -25,11 +26,10 @@ bool says(const std::string& path, std::string_view word) {
 // Heights in attributes name their unit, or are metres.
 Source source_of(CityModel model, bool city_json, const std::string& name,
                  const ReadOptions& options) {
-  orient(model, options.axes, city_json, name);
   Source source;
-  source.crs = model.crs;
+  source.crs = orient(model, options.axes, city_json, name);
   const auto unit = height_unit(source.crs, name, options);
-  if (!unit) refuse_heights(name, source.crs);
+  if (!unit) refuse_heights(name, *source.crs);
   HeightOptions heights = options.height;
   heights.unit = options.height_unit.value_or(1);
   require_types(types_of(model), options, name);
@@ -74,12 +74,12 @@ bool is_osm(std::string_view, const std::string& path) {
 }
 
 bool is_city_gml(std::string_view head, const std::string& path) {
-  return first_letter(head) == '<' && says(path, "CityModel");
+  return first_letter(head) == '<' && says(head, path, "CityModel");
 }
 
 bool is_city_json(std::string_view head, const std::string& path) {
   return first_letter(head) == '{' &&
-         (says(path, "\"CityJSON\"") || says(path, "\"CityJSONFeature\""));
+         (says(head, path, "\"CityJSON\"") || says(head, path, "\"CityJSONFeature\""));
 }
 
 bool is_height_model(std::string_view head, const std::string& path) {

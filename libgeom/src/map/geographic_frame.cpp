@@ -1,5 +1,7 @@
 #include "geom/map/geographic_frame.h"
 
+#include <fmt/format.h>
+
 #include <GeographicLib/TransverseMercator.hpp>
 
 namespace geom {
@@ -36,6 +38,12 @@ Vec3 GeographicFrame::enu(const GeodeticPlace& place) const {
   Vec3 enu(0, 0, place.height - origin_.height);
   from_geodetic(place.latitude, place.longitude, enu.x(), enu.y());
   return enu;
+}
+
+std::string plane_about(const GeodeticOrigin& origin) {
+  return fmt::format(
+      "+proj=tmerc +lat_0={} +lon_0={} +k=1 +x_0=0 +y_0=0 +datum=WGS84 +units=m +no_defs",
+      origin.latitude, origin.longitude);
 }
 
 bool counts_from_origin(const Frame& frame) {

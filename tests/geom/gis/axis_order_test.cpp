@@ -85,6 +85,11 @@ TEST(AxisOrder, KnowsTheSystemsOfTheGermanSurveys) {
 TEST(AxisOrder, RefusesASystemThatNobodyKnows) {
   geom::CityModel model = block("urn:adv:crs:nothing", 1, 2);
   EXPECT_THROW(orient(model, Axes::as_named, false, "city"), geom::InputError);
+  model.crs = "CRS:84";
+  EXPECT_TRUE(orient(model, Axes::as_named, false, "city")->is_geographic());
+  model.crs = "osgb:BNG";
+  EXPECT_TRUE(orient(model, Axes::as_named, false, "city"));
+  EXPECT_EQ(model.crs, "EPSG:27700");
 }
 
 TEST(AxisOrder, LeavesLocalMetresAsTheyAre) { EXPECT_EQ(first_x(block("", 4, 5)), 4); }

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "geom/base/error.h"
-#include "gis/gdal_handles.h"
+#include "geom/map/geographic_frame.h"
 #include "support/cover_oracle.h"
 #include "support/exact_cover.h"
 #include "support/memory_raster.h"
@@ -22,7 +22,7 @@ namespace {
 // its rows lean by a degree and more.
 Source grid_of(const std::string& crs, const geom::Vec2& corner, double cell) {
   Source out;
-  out.crs = crs;
+  if (!crs.empty()) out.crs = geom::ProjReference::of(crs);
   out.grid = CellGrid{{corner.x(), cell, 0, corner.y(), 0, -cell}, {}};
   for (const CellGrid::Cells& cells : {CellGrid::Cells{0, 1, 0, 1},
                                        {1, 2, 0, 1},
@@ -141,14 +141,15 @@ TEST(ReadRaster, RectanglesAreAsHighAsTheirCellsAndBoxesKeepTheSlack) {
 
 TEST(LeanOf, IsThatOfTheRowsOnTheMap) {
   const CellGrid utm{{600000, 10, 0, 5340000, 0, -10}, {}};
-  const CellLean lean = lean_of(utm, 100, 100, "EPSG:32633", "t.tif", std::nullopt);
+  const CellLean lean = lean_of(utm, 100, 100, geom::ProjReference::of("EPSG:32633"), std::nullopt);
   EXPECT_NEAR(lean.column, 0.175, 0.003);  // a degree of convergence
   EXPECT_NEAR(lean.row, 0.175, 0.003);
-  const CellLean none = lean_of(utm, 100, 100, "", "t.tif", std::nullopt);
+  const CellLean none = lean_of(utm, 100, 100, std::nullopt, std::nullopt);
   EXPECT_EQ(none.column, 0);
   EXPECT_EQ(none.row, 0);
   const CellGrid nowhere{{1e30, 10, 0, 1e30, 0, -10}, {}};
-  EXPECT_TRUE(std::isinf(lean_of(nowhere, 100, 100, "EPSG:32633", "t.tif", std::nullopt).column));
+  EXPECT_TRUE(std::isinf(
+      lean_of(nowhere, 100, 100, geom::ProjReference::of("EPSG:32633"), std::nullopt).column));
 }
 
 // Four corners are enough of most rectangles, and never where their sides bend by more than a
@@ -168,7 +169,7 @@ TEST(Project, SidesOfManyCellsStayStraightOnlyWhereTheyAre) {
 // A rectangle between two corners of degrees or metres.
 Source rectangle_of(const std::string& crs, const geom::Vec2& low, const geom::Vec2& high) {
   Source out;
-  out.crs = crs;
+  if (!crs.empty()) out.crs = geom::ProjReference::of(crs);
   geom::Footprint& f = out.footprints.emplace_back();
   f.top = 10;
   f.polygon.outer = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
@@ -276,7 +277,7 @@ TEST(Projector, RefusesCoordinatesFromTheMiddleOfTheEarth) {
   Source source = rectangle_of("EPSG:4978", {2883000, 1340000}, {2883100, 1340100});
   EXPECT_TRUE(support::says(
       support::refusal_of([&] { Projector(source, "t.gpkg", std::nullopt, false); }),
-      "t.gpkg: expected coordinates in a plane, or longitude and latitude, found a system"));
+      "t.gpkg: PROJ knows no way from the reference system"));
 }
 
 TEST(CheckSizes, RefusesWhatIsFarFromTheOrigin) {
@@ -310,7 +311,7 @@ TEST(Projector, RefusesAConversionThatTakesTwoDatumsForOne) {
         support::says(support::refusal_of([&] { Projector(source, "t.tif", std::nullopt, false); }),
                       "t.tif: PROJ knows no way from the reference system"))
         << crs;
-    EXPECT_TRUE(std::isinf(lean_of(*source.grid, 9, 9, crs, "t.tif", std::nullopt).row)) << crs;
+    EXPECT_TRUE(std::isinf(lean_of(*source.grid, 9, 9, source.crs, std::nullopt).row)) << crs;
   }
 }
 
@@ -318,13 +319,13 @@ TEST(Projector, TakesSystemsWhoseDatumsAreTiedToWgs84) {
   for (const char* crs : {"EPSG:25832", "EPSG:28992", "EPSG:7415", "EPSG:31256", "EPSG:27700",
                           "EPSG:2154", "EPSG:2263", "EPSG:26918", "EPSG:6347", "EPSG:5555",
                           "EPSG:25832+5783", "EPSG:2056", "EPSG:6677", "EPSG:7855"}) {
-    const ReferenceHandle system = reference_named(crs, "t.tif");
-    double west = 9, south = 50, east = 9, north = 50;  // of a pair of systems
-    gdal().area_of_use(system.get(), &west, &south, &east, &north, nullptr);
-    Vec2 middle(0.5 * (west + east), 0.5 * (south + north));
-    const ConversionHandle there = conversion(reference_named("EPSG:4326", "t.tif"), system);
-    ASSERT_TRUE(there) << crs;
-    ASSERT_TRUE(gdal().transform(there.get(), 1, &middle.x(), &middle.y(), nullptr)) << crs;
+    const auto system = geom::ProjReference::of(crs);
+    const auto area = system->area();
+    ASSERT_TRUE(area) << crs;
+    geom::Vec2 middle(0.5 * (area->west + area->east), 0.5 * (area->south + area->north));
+    const auto way = geom::ProjWay::to_places(*system);
+    ASSERT_TRUE(way) << crs;
+    way->back({&middle, 1});
     Source source = grid_of(crs, middle, 1);
     EXPECT_NO_THROW(Projector(source, "t.tif", std::nullopt, false)) << crs;
   }
@@ -353,7 +354,7 @@ Source lifted(const MemoryRaster& raster, const Vec2& low, const Vec2& high) {
   house.top = 10;
   house.polygon.outer = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
   out.footprints = {house};
-  lift(out, Terrain(raster.path(), "ramp.tif", {}), "");
+  lift(out, Terrain(raster.path(), "ramp.tif", {}), {});
   return out;
 }
 
@@ -407,7 +408,11 @@ TEST(Lift, RefusesATerrainWhoseDatumIsNotTied) {
   out.footprints.resize(1);
   out.footprints[0].polygon.outer = {{0, 0}, {1, 0}, {1, 1}};
   EXPECT_TRUE(support::says(
-      support::refusal_of([&] { lift(out, Terrain(raster.path(), "ramp.tif", {}), "EPSG:4326"); }),
+      support::refusal_of([&] {
+        const geom::GeodeticOrigin origin{48, 15, 0};
+        lift(out, Terrain(raster.path(), "ramp.tif", {}),
+             {.origin = origin, .crs = geom::plane_about(origin)});
+      }),
       "ramp.tif: PROJ knows no way from the reference system \"NAD27(76)"));
 }
 

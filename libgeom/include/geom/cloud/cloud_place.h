@@ -17,8 +17,10 @@
 #include <string>
 #include <utility>
 
-#include "geom/cloud/coordinate_reference.h"
-#include "geom/cloud/proj_reference.h"
+#include "geom/cloud/point_cloud.h"
+#include "geom/earth/coordinate_reference.h"
+#include "geom/earth/proj_reference.h"
+#include "geom/earth/proj_way.h"
 #include "geom/map/frame.h"
 
 namespace geom {

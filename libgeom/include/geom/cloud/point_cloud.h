@@ -20,7 +20,7 @@
 #include "geom/base/execution.h"
 #include "geom/base/skipped.h"
 #include "geom/base/vec3.h"
-#include "geom/cloud/coordinate_reference.h"
+#include "geom/earth/coordinate_reference.h"
 
 namespace geom {
 

@@ -11,8 +11,10 @@
 //   geom::gis::orient(model, geom::gis::Axes::as_named, false, "city.gml");
 //   assert(model.objects[0].geometries[0].surfaces[0][0][0].x() == 8);  // longitude
 
+#include <optional>
 #include <string>
 
+#include "geom/earth/proj_reference.h"
 #include "geom/import/city_model.h"
 
 namespace geom::gis {
@@ -20,15 +22,17 @@ namespace geom::gis {
 enum class Axes { as_named, east_north, north_east };
 
 // Brings x to the east and y to the north, and `model.crs` into the form of the other sources.
+// Returns what PROJ knows of it; nothing where it is empty.
 // `model.crs` is a srsName. One that is a URN or a URL of OGC's ("urn:ogc:def:crs:EPSG::4326")
 // means the axes in the order of the system itself, which may be latitude or northing first; others
 // ("EPSG:4326", those of the German AdV) and CityJSON mean east first. `axes` overrules that.
 //
-// Throws InputError(name, …) for a srsName that is not understood, and unless `axes` says:
+// Throws InputError(name, …) for a srsName that PROJ does not know, and unless `axes` says:
 // where the coordinates lie in the area of the system only if they are exchanged, and where they
 // lie in it either way and the surfaces face outward only if they are exchanged (what faces up runs
 // counter-clockwise).
-void orient(CityModel& model, Axes axes, bool city_json, const std::string& name);
+std::optional<ProjReference> orient(CityModel& model, Axes axes, bool city_json,
+                                    const std::string& name);
 
 // Throws InputError(name, …) where the srsName does not count metres: a shape that a matrix
 // places in it would be bent.

@@ -9,13 +9,13 @@
 //   std::cout << source.footprints.size() << " footprints, " << source.skipped.text() << '\n';
 
 #include <map>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "geom/base/skipped.h"
+#include "geom/earth/proj_way.h"
 #include "geom/gis/axis_order.h"
 #include "geom/import/building_height.h"
 #include "geom/map/footprint.h"
@@ -61,7 +61,7 @@ struct Source {
 
   std::vector<Footprint> footprints;
   std::optional<CellGrid> grid;               // of a height model with a CRS
-  std::string crs;                            // whatever PROJ understands; empty: local metres
+  std::optional<ProjReference> crs;           // none: local metres
   std::map<std::string, std::size_t> counts;  // for the report: "heights from levels", …
   Skipped skipped;                            // what is or may be an obstacle and is no footprint
   Skipped defaults;                           // built as high as the default, as nothing tells
@@ -122,11 +122,11 @@ std::string heights_fault(const Source& source);
 // Metres in a unit of heights that name none, in a source of this CRS: what the options say, or the
 // CRS's own vertical part, or 1 where the CRS counts metres or degrees, or there is none. Nothing
 // where it counts something else, as heights may then too. Throws InputError(name, …) for depths.
-std::optional<double> height_unit(const std::string& crs, const std::string& name,
+std::optional<double> height_unit(const std::optional<ProjReference>& crs, const std::string& name,
                                   const ReadOptions& options);
 
 // The refusal where height_unit() is nothing and a height is needed.
-[[noreturn]] void refuse_heights(const std::string& name, const std::string& crs);
+[[noreturn]] void refuse_heights(const std::string& name, const ProjReference& crs);
 
 // GeoJSON, GeoPackage, Shapefile, FlatGeobuf, SQLite, KML, GML or CSV with WKT. `path` may
 // be one of GDAL's virtual files; `name` is for messages. Throws InputError.
@@ -155,8 +155,8 @@ struct CellLean {
   double column = 0;
   double row = 0;
 };
-CellLean lean_of(const CellGrid& grid, int width, int height, const std::string& crs,
-                 const std::string& name, const std::optional<Vec2>& origin);
+CellLean lean_of(const CellGrid& grid, int width, int height,
+                 const std::optional<ProjReference>& crs, const std::optional<Vec2>& origin);
 
 // The ground under a place, from a terrain model.
 class Terrain {
@@ -168,16 +168,19 @@ class Terrain {
     double high;
     bool whole = true;  // no cell under the region is unknown or outside of the raster
   };
-  // Over the cells that the rectangle (x and y in `crs`) touches, and their neighbours, as far as
-  // they have a height; nothing where none has.
-  std::optional<Range> range(const Vec2& low, const Vec2& high, const std::string& crs) const;
+  // Over the cells that the rectangle touches, and their neighbours, as far as they have a height;
+  // nothing where none has. `way`: from the raster's own system to that of the rectangle, where
+  // these differ.
+  std::optional<Range> range(const Vec2& low, const Vec2& high,
+                             const std::optional<ProjWay>& way) const;
 
   // Of the surface within the rectangle around these points (x and y in the raster's own system),
   // whether a cell has its height all over or its middle alone, with straight slopes between.
   // Nothing where it is not known all over.
   std::optional<Range> surface(std::span<const Vec2> around) const;
 
-  const std::string& crs() const { return crs_; }  // may be empty
+  const std::optional<ProjReference>& crs() const { return crs_; }
+  const std::string& name() const { return name_; }  // for messages
 
  private:
   using Cells = CellGrid::Cells;
@@ -188,7 +191,7 @@ class Terrain {
   std::optional<Range> over_cells(const Vec2& low, const Vec2& high) const;
 
   std::string name_;
-  std::string crs_;
+  std::optional<ProjReference> crs_;
   double transform_[6];
   int width_ = 0;
   int height_ = 0;
@@ -200,12 +203,11 @@ class Projector {
  public:
   // Without a CRS coordinates are metres already and stay; `origin` is then where (0, 0) is.
   // `origin`: latitude, longitude; else the middle of the footprints. Throws InputError(name,
-  // …) for a CRS that PROJ does not know, for an origin too far from the footprints (and warns of
-  // one that is far), and, unless `metres` insists, for numbers without a CRS that look like
+  // …) for a CRS from which PROJ knows no way, for an origin too far from the footprints (and warns
+  // of one that is far), and, unless `metres` insists, for numbers without a CRS that look like
   // degrees.
   Projector(Source& source, const std::string& name, const std::optional<Vec2>& origin,
             bool metres);
-  ~Projector();
 
   // Many at once cost less than each, and those that are the same bit for bit cost one.
   void convert(std::vector<Vec2>& points) const;
@@ -215,11 +217,10 @@ class Projector {
   double turn() const { return turn_; }
 
  private:
-  struct Transformation;
   std::string name_;
   Frame frame_;
   double turn_ = 0;
-  std::unique_ptr<Transformation> transformation_;
+  std::optional<ProjWay> way_;
 };
 
 }  // namespace geom::gis

@@ -36,6 +36,10 @@ class GeographicFrame {
   double north_ = 0;  // of the origin from the equator
 };
 
+// The same projection as a PROJ string, which is the `crs` of such a frame. The origin's height is
+// not looked at.
+std::string plane_about(const GeodeticOrigin& origin);
+
 // Whether a frame's coordinates are metres from its origin: it has one, and no CRS of another kind.
 bool counts_from_origin(const Frame& frame);
 

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -6,15 +8,12 @@
 #include <limits>
 #include <numbers>
 
-#include "gdal_handles.h"
+#include "geom/base/error.h"
 #include "geom/gis/footprint_source.h"
+#include "geom/map/geographic_frame.h"
+#include "required_reference.h"
 
 namespace geom::gis {
-
-struct Projector::Transformation {
-  ConversionHandle to_local;
-};
-
 namespace {
 
 // The middle of all corners, and the largest extent of one footprint.
@@ -58,20 +57,12 @@ void require_metres(const Layout& layout, const std::string& name) {
                            layout.low.x(), layout.low.y(), layout.high.x(), layout.high.y())});
 }
 
-// Of three coordinates that count from the middle of the Earth, a plan has two.
-[[noreturn]] void refuse_geocentric(const std::string& crs, const std::string& name) {
-  throw InputError(name, {.expected = "coordinates in a plane, or longitude and latitude",
-                          .found = fmt::format("a system that counts from the middle of the Earth, "
-                                               "\"{}\"",
-                                               crs.substr(0, 60)),
-                          .advice = "convert it, for example with `ogr2ogr -t_srs EPSG:4979`"});
-}
+constexpr double kDegree = std::numbers::pi / 180;
 
 double kilometres(const Vec2& a, const Vec2& b) {  // longitude, latitude
-  const double radians = M_PI / 180;
-  const double h = std::pow(std::sin((b.y() - a.y()) * radians / 2), 2) +
-                   std::cos(a.y() * radians) * std::cos(b.y() * radians) *
-                       std::pow(std::sin((b.x() - a.x()) * radians / 2), 2);
+  const double h = std::pow(std::sin((b.y() - a.y()) * kDegree / 2), 2) +
+                   std::cos(a.y() * kDegree) * std::cos(b.y() * kDegree) *
+                       std::pow(std::sin((b.x() - a.x()) * kDegree / 2), 2);
   return 2 * 6371 * std::asin(std::sqrt(std::min(1.0, h)));
 }
 
@@ -92,18 +83,9 @@ void require_near(const Vec2& at, const Vec2& middle, const std::string& name,
   warnings.push_back(sentence(fault));
 }
 
-// Metres about a place: longitude, latitude.
-std::string plane_about(const Vec2& at) {
-  return fmt::format(
-      "+proj=tmerc +lat_0={} +lon_0={} +k=1 +x_0=0 +y_0=0 +datum=WGS84 +units=m +no_defs", at.y(),
-      at.x());
-}
-
-// A tidy origin, a decimetre off.
-Vec2 tidy(const Vec2& p) { return (p * 1e6).array().round() / 1e6; }
-
-bool convert_one(const ConversionHandle& by, Vec2& p) {
-  return gdal().transform(by.get(), 1, &p.x(), &p.y(), nullptr) && p.allFinite();
+// That of the options (latitude, longitude), or a decimetre from the middle (longitude, latitude).
+GeodeticOrigin origin_at(const Vec2& middle, const std::optional<Vec2>& chosen) {
+  return chosen ? GeodeticOrigin{chosen->x(), chosen->y(), 0} : tidy_origin(middle, 1e6);
 }
 
 // Points, each but once; neighbours in a grid share theirs.
@@ -143,64 +125,44 @@ struct DistinctPoints {
 
 Projector::Projector(Source& source, const std::string& name, const std::optional<Vec2>& origin,
                      bool metres)
-    : name_(name), transformation_(std::make_unique<Transformation>()) {
+    : name_(name) {
   Layout layout(source.footprints);
-  if (source.crs.empty()) {
+  if (!source.crs) {
     if (!metres) require_metres(layout, name);
     if (origin) frame_.origin = GeodeticOrigin{origin->x(), origin->y(), 0};
     return;
   }
-  const ReferenceHandle from = reference_named(source.crs, name);
-  if (gdal().is_geocentric(from.get())) refuse_geocentric(source.crs, name);
-  if (gdal().is_geographic(from.get())) {
-    turn_ = 2 * std::numbers::pi / gdal().angular_unit(from.get(), nullptr);
+  const ProjReference& from = *source.crs;
+  if (from.is_geographic()) {
+    turn_ = 2 * std::numbers::pi / from.unit().value_or(kDegree);
     // On both sides of the antimeridian: its middle is there, and not on the other side of Earth.
     if (layout.high.x() - layout.low.x() > turn_ / 2) layout = Layout(source.footprints, turn_);
   }
-  Vec2 middle = 0.5 * (layout.low + layout.high);  // longitude, latitude once transformed
-  const ConversionHandle back = conversion(from, reference_named("EPSG:4326", name));
-  if (!back) refuse_conversion(from, name);
-  if (!convert_one(back, middle) || std::abs(middle.y()) > 90) {
+  auto middle =
+      required_way(ProjWay::to_places(from), from, name).place_of(0.5 * (layout.low + layout.high));
+  if (!middle || std::abs(middle->y()) > 90) {
     throw InputError(
         name,
         {.says = fmt::format(
              "PROJ cannot tell where on Earth the coordinates [{}, {}] to [{}, {}] are in \"{}\"",
              layout.low.x(), layout.low.y(), layout.high.x(), layout.high.y(),
-             source.crs.substr(0, 60)),
+             from.told().crs.substr(0, 60)),
          .advice = "is that the right coordinate reference system?"});
   }
-  if (middle.x() > 180) middle.x() -= 360;
-  Vec2 at = tidy(middle);
-  if (origin) {
-    at = {origin->y(), origin->x()};
-    require_near(at, middle, name, source.warnings);
-  }
-  const std::string local = plane_about(at);
-  transformation_->to_local = conversion(from, reference_named(local, name));
-  if (!transformation_->to_local) refuse_conversion(from, name);
-  frame_.origin = GeodeticOrigin{at.y(), at.x(), 0};
-  frame_.crs = local;
+  if (middle->x() > 180) middle->x() -= 360;
+  frame_.origin = origin_at(*middle, origin);
+  if (origin) require_near({origin->y(), origin->x()}, *middle, name, source.warnings);
+  way_ = required_way(ProjWay::to_plane(from, *frame_.origin), from, name);
+  frame_.crs = plane_about(*frame_.origin);
 }
 
-Projector::~Projector() = default;
-
 void Projector::convert(std::vector<Vec2>& points) const {
-  if (!transformation_->to_local) return;
-  const DistinctPoints distinct(points);
-  std::vector<double> x;
-  std::vector<double> y;
-  for (const Vec2& p : distinct.points) {
-    x.push_back(p.x());
-    y.push_back(p.y());
-  }
-  const auto count = static_cast<int>(x.size());
-  std::vector<int> done(x.size());
-  gdal().transform_each(transformation_->to_local.get(), count, x.data(), y.data(), nullptr,
-                        done.data());
+  if (!way_) return;
+  DistinctPoints distinct(points);
+  way_->forward(distinct.points);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::size_t k = distinct.which[i];
-    const Vec2 local(x[k], y[k]);
-    if (!done[k] || !local.allFinite()) {
+    const Vec2& local = distinct.points[distinct.which[i]];
+    if (!local.allFinite()) {
       throw InputError(
           name_, {.says = fmt::format("PROJ cannot convert ({}, {}) to metres about the origin",
                                       points[i].x(), points[i].y()),
@@ -210,19 +172,17 @@ void Projector::convert(std::vector<Vec2>& points) const {
   }
 }
 
-CellLean lean_of(const CellGrid& grid, int width, int height, const std::string& crs,
-                 const std::string& name, const std::optional<Vec2>& origin) {
+CellLean lean_of(const CellGrid& grid, int width, int height,
+                 const std::optional<ProjReference>& crs, const std::optional<Vec2>& origin) {
   constexpr CellLean kUnknown{std::numeric_limits<double>::infinity(),
                               std::numeric_limits<double>::infinity()};
-  ConversionHandle to_local;
-  if (!crs.empty()) {
-    const ReferenceHandle from = reference_named(crs, name);
-    Vec2 at = grid.corner(0.5 * width, 0.5 * height);
-    const ConversionHandle back = conversion(from, reference_named("EPSG:4326", name));
-    if (!back || !convert_one(back, at)) return kUnknown;
-    at = origin ? Vec2(origin->y(), origin->x()) : tidy(at);
-    to_local = conversion(from, reference_named(plane_about(at), name));
-    if (!to_local) return kUnknown;
+  std::optional<ProjWay> way;
+  if (crs) {
+    const auto to_places = ProjWay::to_places(*crs);
+    const auto middle =
+        to_places ? to_places->place_of(grid.corner(0.5 * width, 0.5 * height)) : std::nullopt;
+    if (middle) way = ProjWay::to_plane(*crs, origin_at(*middle, origin));
+    if (!way) return kUnknown;
   }
   CellLean lean;
   for (int i = 0; i < 9; ++i) {
@@ -230,9 +190,8 @@ CellLean lean_of(const CellGrid& grid, int width, int height, const std::string&
     const double row = i / 3 * std::floor(0.5 * (height - 1));
     std::array<Vec2, 3> p{grid.corner(column, row), grid.corner(column + 1, row),
                           grid.corner(column, row + 1)};
-    for (Vec2& each : p) {
-      if (to_local && !convert_one(to_local, each)) return kUnknown;
-    }
+    if (way) way->forward(p);
+    if (!p[0].allFinite() || !p[1].allFinite() || !p[2].allFinite()) return kUnknown;
     lean.column = std::max(lean.column, (p[1] - p[0]).cwiseAbs().minCoeff());
     lean.row = std::max(lean.row, (p[2] - p[0]).cwiseAbs().minCoeff());
   }

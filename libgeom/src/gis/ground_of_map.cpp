@@ -1,11 +1,15 @@
+#include "geom/gis/ground_of_map.h"
+
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <limits>
-#include <memory>
+#include <optional>
+#include <utility>
 
-#include "gdal_handles.h"
 #include "geom/base/hashed_stream.h"
-#include "geom/gis/ground_of_map.h"
 #include "geom/map/geographic_frame.h"
+#include "required_reference.h"
 
 namespace geom::gis {
 namespace {
@@ -16,48 +20,31 @@ constexpr double kAround = 1e-6;  // of a cell, that each range holds around it
 // From the map's coordinates to the raster's own.
 class ToRaster {
  public:
-  ToRaster(const Frame& frame, const std::string& crs, const std::string& name)
+  ToRaster(const Frame& frame, const std::optional<ProjReference>& crs, const std::string& name)
       : axes_(frame.axes) {
-    if (crs.empty() && !frame.origin) return;
-    if (crs.empty() || !counts_from_origin(frame)) {
-      throw InputError(
-          name, {.expected = "a height model and a map that both say where on Earth "
-                             "they are, or neither",
-                 .found = crs.empty() ? "a height model that does not" : "a map that does not"});
+    if (!crs && !frame.origin) return;
+    if (!crs || !counts_from_origin(frame)) {
+      throw InputError(name,
+                       {.expected = "a height model and a map that both say where on Earth "
+                                    "they are, or neither",
+                        .found = crs ? "a map that does not" : "a height model that does not"});
     }
-    earth_ = std::make_unique<GeographicFrame>(*frame.origin);
-    const ReferenceHandle own = reference_named(crs, name);
-    to_raster_ = conversion(reference_named("EPSG:4326", name), own);
-    if (!to_raster_) refuse_conversion(own, name);
+    from_raster_ = required_way(ProjWay::to_plane(*crs, *frame.origin), *crs, name);
   }
 
-  // NaN where PROJ cannot convert.
+  // Infinite where PROJ cannot convert.
   std::vector<Vec2> operator()(std::vector<Vec2> points) const {
-    if (!to_raster_) return points;
-    std::vector<double> x;
-    std::vector<double> y;
-    for (const Vec2& p : points) {
-      const Vec3 enu = to_enu(axes_, Vec3(p.x(), p.y(), 0));
-      double latitude = 0;
-      double longitude = 0;
-      earth_->to_geodetic(enu.x(), enu.y(), latitude, longitude);
-      x.push_back(longitude);
-      y.push_back(latitude);
+    if (!from_raster_) return points;
+    if (axes_ == geom::Axes::neu) {
+      for (Vec2& p : points) std::swap(p.x(), p.y());
     }
-    std::vector<int> done(points.size());
-    gdal().transform_each(to_raster_.get(), static_cast<int>(points.size()), x.data(), y.data(),
-                          nullptr, done.data());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      points[i] = done[i] ? Vec2(x[i], y[i])
-                          : Vec2::Constant(std::numeric_limits<double>::quiet_NaN()).eval();
-    }
+    from_raster_->back(points);
     return points;
   }
 
  private:
   geom::Axes axes_;
-  std::unique_ptr<GeographicFrame> earth_;
-  ConversionHandle to_raster_;
+  std::optional<ProjWay> from_raster_;
 };
 
 GroundGridSpec grid_of(const std::string& path, const BoxMapSpec& spec,

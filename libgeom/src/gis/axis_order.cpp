@@ -1,18 +1,21 @@
+#include "geom/gis/axis_order.h"
+
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <regex>
 
-#include "gdal_handles.h"
-#include "geom/gis/axis_order.h"
 #include "import/city_footprints.h"
+#include "required_reference.h"
 
 namespace geom::gis {
 namespace {
 
 struct NamedCrs {
-  std::string crs;  // with its vertical part
-  std::string horizontal;
+  std::string crs;
   bool own_order = false;  // the axes are in the order of the system
 };
 
@@ -24,16 +27,18 @@ std::optional<NamedCrs> german(const std::string& name) {
   if (!std::regex_match(name, found, form)) return std::nullopt;
   const std::string code =
       found[2].matched ? "258" + found[2].str() : std::to_string(31464 + std::stoi(found[3].str()));
-  return NamedCrs{"EPSG:" + code, "EPSG:" + code};
+  return NamedCrs{"EPSG:" + code};
 }
 
 NamedCrs named(const std::string& name, bool city_json) {
   if (const auto known = german(name)) return *known;
+  if (name == "CRS:84") return {"OGC:CRS84"};
+  if (name == "osgb:BNG") return {"EPSG:27700"};
   static const std::regex code_form(R"(EPSG[:/]+[^:/,#]*[:/]+([0-9]{1,7})(?![0-9.]))");
   static const std::regex plain(R"((?:.*gml/srs/epsg\.xml#|EPSG:)([0-9]{1,7}))");
   std::smatch found;
   if (std::regex_match(name, found, plain)) {
-    return {"EPSG:" + found[1].str(), "EPSG:" + found[1].str()};
+    return {"EPSG:" + found[1].str()};
   }
   const bool ogc = name.starts_with("urn:ogc:def:crs") || name.starts_with("urn:x-ogc:def:crs") ||
                    name.find("opengis.net/def/crs") != std::string::npos;
@@ -42,29 +47,26 @@ NamedCrs named(const std::string& name, bool city_json) {
        ogc && at != std::sregex_iterator(); ++at) {
     codes.push_back((*at)[1].str());
   }
-  if (codes.empty() || codes.size() > 2) return {name, name};
-  NamedCrs out{"EPSG:" + codes[0], "EPSG:" + codes[0], !city_json};
+  if (codes.empty() || codes.size() > 2) return {name};
+  NamedCrs out{"EPSG:" + codes[0], !city_json};
   if (codes.size() == 2) out.crs += "+" + codes[1];
   return out;
 }
 
 // Whether the point (x to the east) lies where the system is meant for; nothing where that is not
 // said.
-std::optional<bool> in_area(const ReferenceHandle& system, Vec2 p, const std::string& name) {
-  double west = 0;
-  double south = 0;
-  double east = 0;
-  double north = 0;
-  if (!gdal().area_of_use(system.get(), &west, &south, &east, &north, nullptr)) return std::nullopt;
-  const ConversionHandle to_degrees = conversion(system, reference_named("EPSG:4326", name));
-  if (!to_degrees) return std::nullopt;
-  if (!gdal().transform(to_degrees.get(), 1, &p.x(), &p.y(), nullptr) || !p.allFinite())
-    return false;
-  constexpr double kNear = 0.5;     // degrees
-  const bool across = west > east;  // the date line
-  const bool inside = across ? p.x() >= west - kNear || p.x() <= east + kNear
-                             : p.x() >= west - kNear && p.x() <= east + kNear;
-  return inside && p.y() >= south - kNear && p.y() <= north + kNear;
+std::optional<bool> in_area(const ProjReference& system, const Vec2& p) {
+  const auto area = system.area();
+  const auto way = ProjWay::to_places(system);
+  if (!area || !way) return std::nullopt;
+  const auto place = way->place_of(p);
+  if (!place) return false;
+  constexpr double kNear = 0.5;  // degrees
+  const bool across_date_line = area->west > area->east;
+  const bool behind_west = place->x() >= area->west - kNear;
+  const bool before_east = place->x() <= area->east + kNear;
+  return (across_date_line ? behind_west || before_east : behind_west && before_east) &&
+         place->y() >= area->south - kNear && place->y() <= area->north + kNear;
 }
 
 template <class F>
@@ -127,14 +129,13 @@ double outwardness(const CityModel& model) {
 }
 
 // Whether to exchange x and y.
-bool north_comes_first(CityModel& model, const NamedCrs& crs, const std::string& name) {
-  const ReferenceHandle system = reference_named(crs.horizontal, name);
-  const bool north_first = crs.own_order && (gdal().has_latitude_first(system.get()) ||
-                                             gdal().has_northing_first(system.get()));
+bool north_comes_first(CityModel& model, const ProjReference& system, bool own_order,
+                       const std::string& name) {
+  const bool north_first = own_order && system.north_first();
   const Vec2 p = middle_of(model);
   const Vec2 q(p.y(), p.x());
-  const auto as_named = in_area(system, north_first ? q : p, name);
-  const auto exchanged = in_area(system, north_first ? p : q, name);
+  const auto as_named = in_area(system, north_first ? q : p);
+  const auto exchanged = in_area(system, north_first ? p : q);
   if (!as_named || !exchanged || !*exchanged) return north_first;
   if (!*as_named) {
     refuse_order(name, model.crs, north_first,
@@ -149,10 +150,15 @@ bool north_comes_first(CityModel& model, const NamedCrs& crs, const std::string&
 
 }  // namespace
 
-void orient(CityModel& model, Axes axes, bool city_json, const std::string& name) {
+std::optional<ProjReference> orient(CityModel& model, Axes axes, bool city_json,
+                                    const std::string& name) {
   const NamedCrs crs = named(model.crs, city_json);
+  std::optional<ProjReference> system;
+  if (!crs.crs.empty()) system = required_reference(crs.crs, name);
   bool exchange = axes == Axes::north_east;
-  if (axes == Axes::as_named && !model.crs.empty()) exchange = north_comes_first(model, crs, name);
+  if (axes == Axes::as_named && system) {
+    exchange = north_comes_first(model, *system, crs.own_order, name);
+  }
   if (exchange) {
     for_each_surface(model, [](CitySurface& surface) {
       for (auto& ring : surface) {
@@ -161,14 +167,12 @@ void orient(CityModel& model, Axes axes, bool city_json, const std::string& name
     });
   }
   model.crs = crs.crs;
+  return system;
 }
 
 void require_metres(const std::string& srs_name, const std::string& name) {
-  const ReferenceHandle system = reference_named(named(srs_name, false).horizontal, name);
-  if (!gdal().is_geographic(system.get()) &&
-      std::abs(gdal().linear_unit(system.get(), nullptr) - 1) < 1e-9) {
-    return;
-  }
+  const ProjReference system = required_reference(named(srs_name, false).crs, name);
+  if (!system.is_geographic() && std::abs(system.unit().value_or(0) - 1) < 1e-9) return;
   throw InputError(name, {.expected = "coordinates in metres where shapes are placed by a matrix",
                           .found = "a coordinate reference system that counts otherwise",
                           .advice = "convert the file"});

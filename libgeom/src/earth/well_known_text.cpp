@@ -2,7 +2,7 @@
 #include <cctype>
 #include <vector>
 
-#include "geom/cloud/coordinate_reference.h"
+#include "geom/earth/coordinate_reference.h"
 #include "geom/text/text_table.h"
 
 // Well-known text of coordinate reference systems: OGC 01-009 (WKT 1) and 18-010r7 (WKT 2).

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "geom/cloud/coordinate_reference.h"
+#include "geom/earth/coordinate_reference.h"
 
 // GeoTIFF 1.1, OGC 19-008r4, 7.4: numbers of keys below are those of the standard.
 

@@ -1,4 +1,4 @@
-#include "geom/cloud/coordinate_reference.h"
+#include "geom/earth/coordinate_reference.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
