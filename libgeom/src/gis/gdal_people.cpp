@@ -24,7 +24,7 @@ class Raster {
               .found = dataset_ ? fmt::format("{} bands", number_bands(dataset_))
                                 : "a file that GDAL cannot open as one"});
     }
-    require_whole_raster(dataset_, path_);
+    require_whole_raster(dataset_, path_, path_);
     const auto own = reference_of(gdal().spatial_reference(dataset_.get()), path);
     if (!own || gdal().geo_transform(dataset_.get(), forward_) != CE_None ||
         !gdal().invert_geo_transform(forward_, inverse_)) {

@@ -101,7 +101,7 @@ Raster open_raster(const std::string& path, const std::string& name, const ReadO
     throw InputError(name, {.expected = "a raster of heights, as a GeoTIFF",
                             .found = "a file that GDAL cannot open as one"});
   }
-  require_whole_raster(raster.dataset, name);
+  require_whole_raster(raster.dataset, path, name);
   if (const int bands = number_bands(raster.dataset); bands != 1) {
     const int all = gdal().raster_count(dataset);
     throw InputError(name,

@@ -77,7 +77,14 @@ void require_known_crs(const Json& root, const std::string& name) {
   required_reference(system.get<std::string>(), name);
 }
 
-void refuse_own_crs(const Json& feature, const std::string& what, const std::string& name) {
+// JSON-FG has a shape of its own, such as a prism, and "geometry" is a makeshift beside it.
+void refuse_unread_members(const Json& feature, const std::string& what, const std::string& name) {
+  if (feature.is_object() && member(feature, "place").is_object()) {
+    throw InputError(name, {.item = what,
+                            .expected = "its shape as \"geometry\"",
+                            .found = "a \"place\" (JSON-FG), which is not read",
+                            .advice = "export GeoJSON with heights, or CityJSON"});
+  }
   if (!feature.is_object() || !feature.contains("crs")) return;
   throw InputError(name, {.item = what,
                           .expected = "a \"crs\" of the whole file alone",
@@ -114,7 +121,7 @@ std::size_t require_json(const std::string& path, const std::string& name) {
   const std::size_t count = features.is_array() ? features.size() : 0;
   for (std::size_t i = 0; i < count; ++i) {
     require_type(features[i], {"Feature"}, fmt::format("feature {}", i), name);
-    refuse_own_crs(features[i], fmt::format("feature {}", i), name);
+    refuse_unread_members(features[i], fmt::format("feature {}", i), name);
   }
   require_known_crs(root, name);
   require_all(root, count, name);
@@ -184,7 +191,7 @@ std::size_t require_json_sequence(const std::string& path, const std::string& na
     const Json feature = json_outline(record, name, 1, line);
     const std::string what = fmt::format("feature {}", features);
     require_type(feature, {"Feature"}, what, name);
-    refuse_own_crs(feature, what, name);
+    refuse_unread_members(feature, what, name);
     ++features;
   }
   return features;

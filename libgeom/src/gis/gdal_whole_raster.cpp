@@ -1,8 +1,12 @@
 #include "gdal_whole_raster.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <string_view>
+
+#include "geom/text/counted.h"
+#include "geom/text/text_table.h"
 
 namespace geom::gis {
 namespace {
@@ -58,13 +62,96 @@ void require_no_gaps(const DatasetHandle& dataset, std::string_view driver,
   }
 }
 
+void require_no_palette(const DatasetHandle& dataset, const std::string& name) {
+  for (int i = 1; i <= gdal().raster_count(dataset.get()); ++i) {
+    if (gdal().colour_meaning(gdal().raster_band(dataset.get(), i)) != GCI_PaletteIndex) continue;
+    throw InputError(name, {.expected = "numbers",
+                            .found = "a picture whose numbers stand for colours",
+                            .advice = "if they are heights, say so with `gdal_translate "
+                                      "-colorinterp gray in.tif out.tif`"});
+  }
+}
+
+// The words of an ASCII grid behind its head.
+class GridWords {
+ public:
+  GridWords(const std::string& path, std::uint64_t cells, const std::string& name)
+      : cells_(cells), name_(name) {
+    const FileHandle file(gdal().open_file(path.c_str(), "rb"));
+    std::string part(1 << 20, '\0');
+    while (file) {
+      part.resize(gdal().read_file(part.data(), 1, part.size(), file.get()));
+      if (part.empty()) break;
+      for (const char c : part) take(c);
+    }
+    end_word();
+    if (words_ != cells_) refuse(counted(words_, "number"));
+  }
+
+ private:
+  void take(char c) {
+    if (c == ' ' || c == '\t' || c == '\r' || c == '\n') {
+      end_word();
+    } else {
+      word_ += c;
+    }
+  }
+
+  void end_word() {
+    if (word_.empty()) return;
+    if (value_of_key_) {
+      value_of_key_ = false;
+    } else if (words_ == 0 && is_key()) {
+      value_of_key_ = true;
+    } else {
+      if (!is_number()) refuse(in_quotes(word_.substr(0, 40)));
+      if (++words_ > cells_) refuse("more");
+    }
+    word_.clear();
+  }
+
+  bool is_key() const {
+    constexpr const char* kKeys[] = {"ncols",     "nrows",       "xllcorner", "yllcorner",
+                                     "xllcenter", "yllcenter",   "cellsize",  "dx",
+                                     "dy",        "nodata_value"};
+    return std::any_of(std::begin(kKeys), std::end(kKeys),
+                       [&](const char* key) { return EQUAL(word_.c_str(), key); });
+  }
+
+  // GDAL takes a comma for a point, and any word that is no number for 0.
+  bool is_number() {
+    std::replace(word_.begin(), word_.end(), ',', '.');
+    return parse_number(word_) || EQUAL(word_.c_str(), "nan") || EQUAL(word_.c_str(), "-nan");
+  }
+
+  [[noreturn]] void refuse(const std::string& found) const {
+    throw InputError(name_,
+                     {.expected = fmt::format("{} behind its head", counted(cells_, "number")),
+                      .found = found,
+                      .advice = "the file is damaged or cut, get it again"});
+  }
+
+  std::uint64_t cells_;
+  const std::string& name_;
+  std::string word_;
+  bool value_of_key_ = false;
+  std::uint64_t words_ = 0;
+};
+
 }  // namespace
 
-void require_whole_raster(const DatasetHandle& dataset, const std::string& name) {
+void require_whole_raster(const DatasetHandle& dataset, const std::string& path,
+                          const std::string& name) {
   const std::string_view driver = gdal().driver_name(gdal().driver_of(dataset.get()));
   require_whole_format(driver, name);
   require_one_picture(dataset, name);
   require_no_gaps(dataset, driver, name);
+  require_no_palette(dataset, name);
+  if (driver == "AAIGrid") {
+    const auto columns = static_cast<std::uint64_t>(gdal().raster_width(dataset.get()));
+    const auto rows = static_cast<std::uint64_t>(gdal().raster_height(dataset.get()));
+    GridWords(path, columns * rows, name);
+  }
 }
 
 void require_no_layers(const DatasetHandle& dataset, const std::string& path) {

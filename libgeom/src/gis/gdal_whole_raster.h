@@ -11,9 +11,11 @@ namespace geom::gis {
 
 // Throws InputError(name, …) for a raster of a format that is not known to keep its numbers and its
 // holes, as a picture or a table of points; for a file of several pictures, of which GDAL reads the
-// first; and for a mosaic with gaps (a .vrt, a GeoPackage) that has no value for none: GDAL gives 0
-// there. The dataset has a band.
-void require_whole_raster(const DatasetHandle& dataset, const std::string& name);
+// first; for a mosaic with gaps (a .vrt, a GeoPackage) that has no value for none: GDAL gives 0
+// there; for colours of a palette; and for an ASCII grid that holds other words than the numbers
+// that its head counts. The dataset was opened from `path`, and has a band.
+void require_whole_raster(const DatasetHandle& dataset, const std::string& path,
+                          const std::string& name);
 
 // Throws InputError(path, …) where the file at `path`, which `dataset` was opened from, has layers
 // of features beside its raster.

@@ -79,6 +79,30 @@ TEST(RequireWholeRaster, RefusesATableOfPoints) {
   EXPECT_TRUE(says(refusal(points.path()), "may not keep numbers or holes (XYZ)"));
 }
 
+TEST(RequireWholeRaster, RefusesColoursOfAPalette) {
+  const MemoryRaster raster(
+      {},
+      [](GDALDataset& made) { made.GetRasterBand(1)->SetColorInterpretation(GCI_PaletteIndex); },
+      "palette.tif");
+  EXPECT_TRUE(says(refusal(raster.path()), "expected numbers, found a picture"));
+}
+
+// GDAL takes 0 for a word, and passes over what follows.
+TEST(RequireWholeRaster, LooksAtEachWordOfAnAsciiGrid) {
+  const std::string head = "ncols 2\nNROWS 2\nxllcorner 0,5\nyllcorner 0\ncellsize 5\n";
+  const auto said = [&](const std::string& cells) {
+    const MemoryFile grid("grid.asc", head + cells);
+    return refusal(grid.path());
+  };
+  for (const char* cells :
+       {"1 2\n3 4\n", "1 2 3 4", "\r\n1\t2,5\r\n-3e1 nan\r\n", "NODATA_value -9999\n1 2 3 4"}) {
+    EXPECT_EQ(said(cells), "") << cells;
+  }
+  EXPECT_TRUE(says(said("1 2\n3 tall\n"), "expected 4 numbers behind its head, found \"tall\""));
+  EXPECT_TRUE(says(said("1 2\n3 4\n5 6\n"), "expected 4 numbers behind its head, found more"));
+  EXPECT_TRUE(says(said("1 2\n3\n"), "expected 4 numbers behind its head, found 3 numbers"));
+}
+
 TEST(FootprintFormatOf, RefusesARasterBesidePolygons) {
   const support::TemporaryFolder folder;
   const std::string path = folder / "both.gpkg";

@@ -70,6 +70,18 @@ TEST(RequireWhole, RefusesGeoJsonInOtherLetters) {
   EXPECT_NE(refusal("a.geojson", odd), "");
 }
 
+// Its solid would be left out.
+TEST(RequireWhole, RefusesAPlaceOfJsonFg) {
+  const auto with = [](const std::string& place) {
+    std::string text = collection("");
+    text.replace(text.find(R"("properties")"), 0, R"("place":)" + place + ",");
+    return refusal("a.geojson", text);
+  };
+  EXPECT_EQ(with("null"), "");
+  EXPECT_TRUE(says(with(R"({"type":"Prism","lower":0,"upper":80})"),
+                   "feature 0: expected its shape as \"geometry\", found a \"place\""));
+}
+
 TEST(RequireWhole, LooksAtEachLineOfASequence) {
   const std::string lines = kFeature + "\n" + kFeature + "\n";
   EXPECT_EQ(refusal("a.geojsonl", lines), "");
