@@ -3,13 +3,30 @@
 #include <atomic>
 
 #include "gdal_whole.h"
+#include "geom/text/counted.h"
 
 namespace geom::gis {
 namespace {
 
+constexpr const char* kOpenRings = "OGR_GEOMETRY_ACCEPT_UNCLOSED_RING";
+
 bool is_gml(const std::string& path) {
   const GDALDriverH driver = gdal().identify(path.c_str(), GDAL_OF_VECTOR, nullptr, nullptr);
   return driver && std::string_view(gdal().driver_name(driver)) == "GML";
+}
+
+std::size_t polygons_of(OGRGeometryH geometry) {
+  const OGRwkbGeometryType kind = gdal().flat_type(gdal().geometry_type(geometry));
+  if (gdal().is_subclass(kind, wkbCurvePolygon)) return 1;
+  if (!gdal().is_subclass(kind, wkbGeometryCollection) &&
+      !gdal().is_subclass(kind, wkbPolyhedralSurface)) {
+    return 0;
+  }
+  std::size_t count = 0;
+  for (int i = 0; i < gdal().part_count(geometry); ++i) {
+    count += polygons_of(gdal().part_of(geometry, i));
+  }
+  return count;
 }
 
 }  // namespace
@@ -24,13 +41,38 @@ std::unique_ptr<GmlInMemory> GmlInMemory::of(const std::string& path, const std:
 GmlInMemory::GmlInMemory(std::string text) : text_(std::move(text)) {
   static std::atomic<unsigned> number = 0;
   path_ = fmt::format("/vsimem/skyway_{}.gml", ++number);
+  gdal().set_option_of_thread(kOpenRings, "NO");
   const FileHandle file(gdal().file_in_memory(path_.c_str(), reinterpret_cast<GByte*>(text_.data()),
                                               text_.size(), FALSE));
 }
 
 GmlInMemory::~GmlInMemory() {
+  gdal().set_option_of_thread(kOpenRings, nullptr);
   gdal().remove(path_.c_str());
   gdal().remove(gdal().with_extension(path_.c_str(), "gfs"));
+}
+
+void require_whole_gml(const DatasetHandle& dataset, const GmlTold& told, const std::string& name) {
+  std::size_t geometries = 0;
+  std::size_t polygons = 0;
+  std::size_t without = 0;  // features: each is skipped by itself, and told
+  for (int i = 0; i < gdal().layer_count(dataset.get()); ++i) {
+    const OGRLayerH layer = gdal().layer(dataset.get(), i);
+    gdal().rewind(layer);
+    while (const FeatureHandle feature{gdal().next_feature(layer)}) {
+      const OGRGeometryH geometry = gdal().geometry_of(feature.get());
+      ++(geometry ? geometries : without);
+      if (geometry) polygons += polygons_of(geometry);
+    }
+  }
+  const bool whole = polygons >= told.polygons || without > 0;
+  if (geometries + without >= told.geometries && whole) return;
+  throw InputError(
+      name, {.says = fmt::format("its features have {} and {}, and GDAL reads {} and {}",
+                                 counted(told.geometries, "geometry", "geometries"),
+                                 counted(told.polygons, "polygon"), geometries, polygons),
+             .advice = "write one geometry for each feature, of surfaces of GML 3 with closed "
+                       "rings, and give lists of three numbers a point a srsDimension"});
 }
 
 }  // namespace geom::gis

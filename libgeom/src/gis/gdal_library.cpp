@@ -14,6 +14,7 @@ GdalLibrary load() {
           .set_error_handler = SKYWAY_FUNCTION(library, CPLSetErrorHandler),
           .quiet_error_handler = SKYWAY_FUNCTION(library, CPLQuietErrorHandler),
           .set_option = SKYWAY_FUNCTION(library, CPLSetConfigOption),
+          .set_option_of_thread = SKYWAY_FUNCTION(library, CPLSetThreadLocalConfigOption),
           .extension_of = SKYWAY_FUNCTION(library, CPLGetExtension),
           .with_extension = SKYWAY_FUNCTION(library, CPLResetExtension),
           .stem_of = SKYWAY_FUNCTION(library, CPLGetBasename),

@@ -19,6 +19,7 @@ struct GdalLibrary {
   decltype(&CPLSetErrorHandler) set_error_handler;
   decltype(&CPLQuietErrorHandler) quiet_error_handler;
   decltype(&CPLSetConfigOption) set_option;
+  decltype(&CPLSetThreadLocalConfigOption) set_option_of_thread;
   decltype(&CPLGetExtension) extension_of;
   decltype(&CPLResetExtension) with_extension;
   decltype(&CPLGetBasename) stem_of;

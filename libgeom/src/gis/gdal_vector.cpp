@@ -25,8 +25,7 @@ class VectorReader {
   VectorReader(const std::string& name, const ReadOptions& options)
       : name_(name), options_(options) {}
 
-  // `gml`: what its text holds, where it is GML.
-  Source read(const DatasetHandle& dataset, const std::string& path, const GmlTold& gml) {
+  Source read(const DatasetHandle& dataset, const std::string& path) {
     const std::size_t least = require_whole(dataset, path, name_);
     require_whole_numbers(dataset, options_.height.attribute, name_);
     for (int i = 0; i < gdal().layer_count(dataset.get()); ++i) {
@@ -46,13 +45,6 @@ class VectorReader {
                                    "the file has {}, and GDAL reads {}: it is damaged, or not "
                                    "quite of its format; write it anew, for example as GeoPackage",
                                    counted(least, "feature"), features_)});
-    }
-    if (options_.where.empty() && geometries_ < gml.geometries) {
-      throw InputError(
-          name_,
-          {.says = fmt::format("the file has {} in features, and GDAL reads {}: it takes one "
-                               "of each feature; write the others as features of their own",
-                               counted(gml.geometries, "geometry", "geometries"), geometries_)});
     }
     return std::move(out_);
   }
@@ -77,12 +69,25 @@ class VectorReader {
     while (const FeatureHandle feature{gdal().next_feature(layer)}) {
       ++features_;
       read_feature(feature.get());
+      note_warning();
     }
     if (gdal().last_error_type() == CE_Failure) {
       throw InputError(name_,
                        {.says = fmt::format("layer \"{}\" cannot be read to its end (GDAL: {})",
                                             gdal().layer_name(layer), gdal().last_error()),
                         .advice = "the file is damaged or cut, get it again"});
+    }
+  }
+
+  // As of "10.9" in a column that its .csvt says to be of whole numbers: GDAL reads 10.
+  void note_warning() {
+    constexpr std::size_t kMost = 3;
+    if (gdal().last_error_type() != CE_Warning) return;
+    const std::string warning = fmt::format("GDAL warns: {}", gdal().last_error());
+    gdal().forget_errors();
+    if (out_.warnings.size() < kMost &&
+        std::find(out_.warnings.begin(), out_.warnings.end(), warning) == out_.warnings.end()) {
+      out_.warnings.push_back(warning);
     }
   }
 
@@ -95,7 +100,6 @@ class VectorReader {
       out_.skipped.add("feature without geometry", which_);
       return;
     }
-    ++geometries_;
     if (!has_reference_of(geometry, handle_)) {
       throw InputError(name_, {.item = which_,
                                .expected = "the coordinate reference system of its layer",
@@ -301,7 +305,6 @@ class VectorReader {
   const std::string& name_;
   const ReadOptions& options_;
   std::size_t features_ = 0;
-  std::size_t geometries_ = 0;  // of them that have one
   std::optional<double> unit_;  // of heights that name none, where it is clear
   OGRLayerH handle_ = nullptr;  // of the layer
   std::string layer_;
@@ -323,7 +326,8 @@ Source read_vector(const std::string& path, const std::string& name, const ReadO
   const DatasetHandle dataset = opened(gml ? gml->path() : path, GDAL_OF_VECTOR);
   if (!dataset) throw InputError(name, unopened(path));
   require_known_references(dataset, path, told, name);
-  Source source = VectorReader(name, options).read(dataset, path, told);
+  if (gml) require_whole_gml(dataset, told, name);
+  Source source = VectorReader(name, options).read(dataset, path);
   source.beside = files_beside(dataset, path);
   source.skipped.add(links);
   return source;

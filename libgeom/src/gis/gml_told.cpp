@@ -24,6 +24,7 @@ class Listener : public XmlHandler {
       geometry_ = depth_;
       ++told.geometries;
     }
+    told.polygons += kPolygons.contains(tag.name);
     take_system(tag);
     take_link(tag);
   }

@@ -13,6 +13,7 @@ namespace geom::gis {
 
 struct GmlTold {
   std::size_t geometries = 0;     // that are in no other
+  std::size_t polygons = 0;       // also as patches and triangles
   std::set<std::string> systems;  // reference systems of geometries, each as it is written
   bool names_system = false;      // of geometries or of the bounds
 };

@@ -51,8 +51,42 @@ TEST(ReadGml, RefusesASecondGeometryOfAFeature) {
         member("house", fmt::format("<a:height>20</a:height><a:plan>{0}</a:plan><a:{1}>{2}</a:{1}>",
                                     square(0), property, square(50)));
     EXPECT_TRUE(says(refusal_of([&] { read(two); }),
-                     "the file has 2 geometries in features, and GDAL reads 1"));
+                     "its features have 2 geometries and 2 polygons, and GDAL reads 1 and 1"));
   }
+}
+
+// GDAL reads the first alone.
+TEST(ReadGml, RefusesASecondPolygonOfAMember) {
+  const auto house = [](const std::string& surfaces) {
+    return member("house", "<a:height>20</a:height><a:plan><gml:MultiSurface>" + surfaces +
+                               "</gml:MultiSurface></a:plan>");
+  };
+  const auto surface = [](const std::string& polygons) {
+    return "<gml:surfaceMember>" + polygons + "</gml:surfaceMember>";
+  };
+  EXPECT_EQ(read(house(surface(square(0)) + surface(square(50)))).footprints.size(), 2u);
+  const std::string two = house(surface(square(0) + square(50)));
+  EXPECT_TRUE(says(refusal_of([&] { read(two); }),
+                   "its features have 1 geometry and 2 polygons, and GDAL reads 1 and 1"));
+  ReadOptions options;
+  options.where = "height > 0";
+  EXPECT_TRUE(says(refusal_of([&] { read_text("city.gml", collection(two), options); }),
+                   "GDAL reads 1 and 1"));
+}
+
+// GDAL reads such in pairs.
+TEST(ReadGml, RefusesThreeNumbersAPointThatDoNotSaySo) {
+  const auto house = [](const std::string& dimension) {
+    return member("house",
+                  "<a:height>20</a:height><a:plan><gml:Polygon><gml:exterior><gml:LinearRing>"
+                  "<gml:posList" +
+                      dimension +
+                      ">0 0 5 9 0 5 9 9 5 0 0 5</gml:posList>"
+                      "</gml:LinearRing></gml:exterior></gml:Polygon></a:plan>");
+  };
+  EXPECT_EQ(read(house(" srsDimension=\"3\"")).footprints.at(0).top, 25);
+  EXPECT_TRUE(
+      says(refusal_of([&] { read(kHouse + house("")); }), "give lists of three numbers a point"));
 }
 
 // It tells GDAL to look for houses alone.
