@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <span>
+#include <sstream>
 
 #include "gdal_cells.h"
 #include "gdal_handles.h"
@@ -19,6 +21,14 @@ namespace {
 constexpr double kMostCells = 2e9;
 constexpr double kMostTerrain = 2.5e8;  // cells, which are held in memory
 constexpr double kHighest = 1e4;        // metres
+constexpr double kUsualNone = -9999;    // what many write where they have no height
+
+[[noreturn]] void refuse_none(int row, int column, const std::string& name) {
+  throw InputError(name, {.item = fmt::format("row {}, column {}", row, column),
+                          .expected = "a height",
+                          .found = "-9999, and the file does not say which value stands for none",
+                          .advice = "say it, for example with `gdal_translate -a_nodata -9999`"});
+}
 
 struct Raster {
   DatasetHandle dataset;
@@ -37,6 +47,7 @@ struct Raster {
                               .advice = "the file is damaged or cut, get it again"});
     }
     for (int i = 0; i < width; ++i) {
+      if (out[i] == kUsualNone && !cells->names_holes()) refuse_none(row, i, name);
       out[i] *= metres;
       if (out[i] > kHighest) {
         throw InputError(name, {.item = fmt::format("row {}, column {}", row, i),
@@ -50,6 +61,32 @@ struct Raster {
     }
   }
 };
+
+// What says in which unit heights are, and is not obeyed by GDAL: "Zunits FEET" in the .prj of a
+// grid, "ZUNITS FEET" in the .hdr of another.
+void require_metres_beside(const DatasetHandle& dataset, const std::string& path,
+                           const std::string& name) {
+  const std::string_view driver = gdal().driver_name(gdal().driver_of(dataset.get()));
+  if (driver != "AAIGrid" && driver != "EHdr") return;
+  for (const char* ending : {"prj", "PRJ", "hdr", "HDR"}) {
+    const std::string beside = gdal().with_extension(path.c_str(), ending);
+    VSIStatBufL about;
+    if (gdal().stat(beside.c_str(), &about) != 0) continue;
+    std::istringstream words(content_of(beside, name));
+    for (std::string word; words >> word;) {
+      if (!EQUAL(word.c_str(), "zunits") || !(words >> word)) continue;
+      const char* const plain[] = {"no",     "none", "meter", "meters", "metre",
+                                   "metres", "m",    "1",     "1.0"};
+      if (std::any_of(std::begin(plain), std::end(plain),
+                      [&](const char* unit) { return EQUAL(word.c_str(), unit); })) {
+        continue;
+      }
+      throw InputError(name, {.expected = "heights in metres",
+                              .found = fmt::format("\"Zunits {}\" in its .{}", word, ending),
+                              .advice = "give --height-units m, ft or us-ft"});
+    }
+  }
+}
 
 double metres_per(const std::string& unit, const std::string& name) {
   static const std::map<std::string, double> known = {{"m", 1},
@@ -126,6 +163,7 @@ Raster open_raster(const std::string& path, const std::string& name, const ReadO
   }
   require_known_raster_reference(raster.dataset, path, name);
   raster.crs = reference_of(gdal().spatial_reference(dataset), name);
+  if (!options.height_unit) require_metres_beside(raster.dataset, path, name);
   raster.metres = metres_per_unit(raster.cells->band(), raster.crs, name, options);
   return raster;
 }

@@ -122,6 +122,37 @@ TEST(RasterCells, AnAsciiGridThatNamesNoValueForNoneHasOne) {
   EXPECT_EQ(source.footprints.front().bottom, -9999);
 }
 
+// As a height it would put houses on a terrain 10 km below the others.
+TEST(ReadRaster, RefusesTheUsualValueForNoneWhereNothingSaysSo) {
+  const auto cell = [](int column, int row) { return is_hole(column, row) ? -9999.0 : 7.0; };
+  const MemoryRaster silent({.cell = cell});
+  for (const auto& read : {std::function([&] { read_raster(silent.path(), "r.tif", {}); }),
+                           std::function([&] { Terrain(silent.path(), "r.tif", {}); })}) {
+    EXPECT_TRUE(says(refusal_of(read), "r.tif: row 2, column 1: expected a height, found -9999"));
+  }
+  const MemoryRaster said({.cell = cell},
+                          [](GDALDataset& made) { made.GetRasterBand(1)->SetNoDataValue(-9999); });
+  EXPECT_EQ(read_raster(said.path(), "r.tif", {}).counts.at("cells_without_data"), 1u);
+}
+
+// GDAL passes over it.
+TEST(ReadRaster, RefusesFeetThatOnlyThePrjTells) {
+  const MemoryFile grid("feet.asc",
+                        "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 5\n10 20\n30 40\n");
+  const auto prj = [](const std::string& unit) {
+    return "Projection UTM\nZone 32\nDatum WGS84\nZunits " + unit + "\nUnits METERS\n";
+  };
+  const MemoryFile metres("feet.prj", prj("METERS"));
+  EXPECT_EQ(refusal_of([&] { read_raster(grid.path(), "r.asc", {}); }), "");
+  metres.write(prj("FEET"));
+  EXPECT_TRUE(says(refusal_of([&] { read_raster(grid.path(), "r.asc", {}); }),
+                   "r.asc: expected heights in metres, found \"Zunits FEET\" in its .prj"));
+  ReadOptions options;
+  options.height_unit = 0.3048;
+  options.height_step = 0;
+  EXPECT_DOUBLE_EQ(read_raster(grid.path(), "r.asc", options).footprints.front().bottom, 3.048);
+}
+
 TEST(ReadRaster, RefusesDepths) {
   const MemoryRaster raster({}, [](GDALDataset& made) {
     OGRSpatialReference depths;
