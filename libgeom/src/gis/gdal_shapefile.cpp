@@ -97,6 +97,48 @@ std::uint64_t require_index(const PartFile& shapes, const PartFile& index) {
   return count;
 }
 
+// Where the parts of a patch are (ESRI Shapefile, 1998, p. 20): their number, and behind the first
+// points of each their kinds.
+constexpr std::uint64_t kParts = 36;
+constexpr std::uint64_t kFirstPoints = 44;
+
+enum PatchPart : std::uint32_t { outer_ring = 2, inner_ring = 3, first_ring = 4, ring = 5 };
+
+// GDAL takes every ring behind another for a hole of that, unless it is called an Outer or a First
+// Ring. A Ring is one only behind a First Ring; else it is an outline of its own (p. 21).
+void require_rings(const PartFile& shapes, std::uint64_t record, std::uint64_t number,
+                   const std::string& name) {
+  const std::uint64_t parts = shapes.little(record + kParts, 4);
+  constexpr std::uint32_t kLastKind = 6;
+  std::uint32_t of = 0;  // the kind of ring that those right before this one began with
+  bool any = false;      // rings before it
+  for (std::uint64_t i = 0; i < parts; ++i) {
+    const std::uint32_t kind = shapes.little(record + kFirstPoints + 4 * (parts + i), 4);
+    const bool mistaken = (kind == ring && any && of != first_ring) ||
+                          (kind == inner_ring && of != outer_ring) || kind > kLastKind;
+    if (mistaken) {
+      throw InputError(
+          name, {.item = fmt::format("part {} of patch {}", i + 1, number),
+                 .expected = "outer rings that are called so, and their holes right behind them",
+                 .found = fmt::format("a part of kind {} without", kind),
+                 .advice = "GDAL would take it for a hole: export the surfaces as triangles, or in "
+                           "another format, as CityGML or OBJ"});
+    }
+    if (kind != ring && kind != inner_ring) of = kind;
+    any |= kind >= outer_ring && kind <= ring;
+  }
+}
+
+void require_patches(const PartFile& shapes, const PartFile& index, const std::string& name) {
+  constexpr std::uint64_t kShapeType = 32;
+  constexpr std::uint32_t kMultiPatch = 31;
+  if (shapes.little(kShapeType, 4) != kMultiPatch) return;
+  for (std::uint64_t i = 0; kHeader + 8 * (i + 1) <= index.size(); ++i) {
+    const std::uint64_t record = std::uint64_t{index.big(kHeader + 8 * i)} * 2 + 8;
+    if (shapes.little(record, 4) == kMultiPatch) require_rings(shapes, record, i + 1, name);
+  }
+}
+
 void require_rows(const PartFile& table, std::uint64_t shapes, const std::string& name) {
   const std::uint64_t rows = table.little(4, 4);
   const std::uint64_t first = table.little(8, 2);
@@ -147,6 +189,7 @@ void require_whole_shapefile(const DatasetHandle& dataset, const std::string& na
                             .advice = "copy it beside the others"});
   }
   const std::uint64_t shapes = require_index(PartFile(*shp, name), PartFile(*shx, name));
+  require_patches(PartFile(*shp, name), PartFile(*shx, name), name);
   require_rows(PartFile(*dbf, name), shapes, name);
 }
 

@@ -182,6 +182,68 @@ TEST_F(Shapefile, IsRefusedWithoutItsTable) {
   EXPECT_TRUE(says(refusal(), "the .dbf (their attributes) is not there"));
 }
 
+void append(std::string& bytes, auto value) {
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+void append_big(std::string& bytes, std::uint32_t value) {
+  for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 0xff);
+}
+
+// A shapefile of one patch whose parts are squares of 9 m, each 20 m higher than the one before.
+std::string refusal_of_patch(const std::vector<std::int32_t>& kinds) {
+  constexpr std::int32_t kMultiPatch = 31;
+  const auto parts = static_cast<std::int32_t>(kinds.size());
+  std::string content;
+  append(content, kMultiPatch);
+  for (const double v : {0.0, 0.0, 9.0, 9.0}) append(content, v);
+  append(content, parts);
+  append(content, 5 * parts);
+  for (std::int32_t i = 0; i < parts; ++i) append(content, 5 * i);
+  for (const std::int32_t kind : kinds) append(content, kind);
+  for (std::int32_t i = 0; i < parts; ++i) {
+    for (const double v : {0, 0, 0, 9, 9, 9, 9, 0, 0, 0}) append(content, v);
+  }
+  append(content, 0.0);
+  append(content, 20.0 * parts);
+  for (std::int32_t i = 0; i < 5 * parts; ++i) append(content, i / 5 * 20.0);
+  const auto file = [&](const std::string& records) {
+    std::string bytes;
+    append_big(bytes, 9994);
+    bytes.resize(24);
+    append_big(bytes, static_cast<std::uint32_t>(50 + records.size() / 2));
+    append(bytes, 1000);
+    append(bytes, kMultiPatch);
+    bytes.resize(100);
+    return bytes + records;
+  };
+  const auto words = static_cast<std::uint32_t>(content.size() / 2);
+  std::string record;
+  append_big(record, 1);
+  append_big(record, words);
+  std::string index;
+  append_big(index, 50);
+  append_big(index, words);
+  const ShapeFiles files;
+  write_layer("ESRI Shapefile", files.shp.path(), {{{{0, 0}, {9, 0}, {9, 9}}, {0, 0, 0}, 5}});
+  files.shp.write(file(record + content));
+  files.shx.write(file(index));
+  return support::refusal_of([&] { read_vector(files.shp.path(), "city.shp", {}); });
+}
+
+// GDAL takes them for holes of one another: of a floor and a roof nothing would be left.
+TEST(RequireWhole, RefusesRingsOfAPatchWhoseKindIsNotStated) {
+  constexpr std::int32_t kOuter = 2, kInner = 3, kFirst = 4, kRing = 5;
+  EXPECT_EQ(refusal_of_patch({kOuter, kOuter}), "");
+  EXPECT_EQ(refusal_of_patch({kOuter, kInner}), "");
+  EXPECT_EQ(refusal_of_patch({kFirst, kRing}), "");
+  EXPECT_EQ(refusal_of_patch({kRing}), "");
+  for (const auto& kinds : {std::vector{kRing, kRing}, {kOuter, kRing}, {kFirst, kInner}, {7}}) {
+    EXPECT_TRUE(
+        says(refusal_of_patch(kinds), "of patch 1: expected outer rings that are called so"));
+  }
+}
+
 // GDAL leaves out solids and meshes of a drawing, and its unit.
 TEST(RequireWhole, RefusesADrawing) {
   const std::string text =
