@@ -332,6 +332,9 @@ std::string fault_in_words(const CheckResult& result, const geom::BoxMap& map, c
     case Reason::takeoff:
       return fmt::format("the vehicle begins {:.3g} m above the ground that it takes off from",
                          worst);
+    case Reason::takeoff_ground:
+      return fmt::format(
+          "the take-off is in the air, {:.3g} m above what stands or lies there in the map", worst);
     case Reason::landing:
       return landing_fault(worst);
     case Reason::ceiling:
@@ -370,6 +373,8 @@ std::string advice_for(const ReportRecord& report) {
       return "look at what the tool before said";
     case Reason::takeoff:
       return "begin higher, or say where the ground is (--ground)";
+    case Reason::takeoff_ground:
+      return "say where the ground is (--ground)";
     case Reason::landing:
       return "end over level ground";
     case Reason::ceiling:

@@ -15,7 +15,7 @@ const rowOf = name => extremeRows[name] || [name.replaceAll("_", " "), "", 2, na
 const reasons = { collision: "collides with an obstacle", bounds: "leaves the bounds", no_path: "there is no path",
   speed: "too fast", acceleration: "accelerates too much", jerk: "jerks too much", tilt: "tilts too far",
   fence: "breaks a fence", takeoff: "would begin inside the ground", return: "returns by a way that is not known",
-  discontinuous: "segments do not meet", duration_bound: "claims a bound on its duration that cannot be", duration: "has no valid duration", exact: "refused by the exact check" };
+  takeoff_ground: "takes off in the air", discontinuous: "segments do not meet", duration_bound: "claims a bound on its duration that cannot be", duration: "has no valid duration", exact: "refused by the exact check" };
 
 // Refused for its ways home alone.
 function isOfHome(check) { return check.checked === "contingency" || (check.reason === "return" && Boolean(check.return) && !check.place); }
@@ -26,7 +26,7 @@ function whyOf(check) {
 }
 
 function worstOf(check) {
-  const lengths = ["collision", "bounds", "discontinuous", "fence", "takeoff"];
+  const lengths = ["collision", "bounds", "discontinuous", "fence", "takeoff", "takeoff_ground"];
   if (check.worst === undefined) return null;
   if (lengths.includes(check.reason)) return metres(check.worst);
   const row = extremeRows[check.reason];

@@ -29,9 +29,10 @@ enum class Reason {
   bounds,
   collision,
   undecided,
-  // A mission: the way up, what it lands on, the autopilot's envelope, a return that it does not
-  // say, a place other than the trajectory's end, a fence.
+  // A mission: the way up, the ground that it begins on, what it lands on, the autopilot's
+  // envelope, a return that it does not say, a place other than the trajectory's end, a fence.
   takeoff,
+  takeoff_ground,
   landing,
   ceiling,
   range,
@@ -56,7 +57,7 @@ constexpr Reason unmeasured(Limit limit) {
   return static_cast<Reason>(static_cast<int>(Reason::first_unmeasured) + static_cast<int>(limit));
 }
 
-inline constexpr geom::Words<Reason, 21> kOtherReasonWords{{
+inline constexpr geom::Words<Reason, 22> kOtherReasonWords{{
     {Reason::none, ""},
     {Reason::no_path, "no_path"},
     {Reason::infeasible, "infeasible"},
@@ -70,6 +71,7 @@ inline constexpr geom::Words<Reason, 21> kOtherReasonWords{{
     {Reason::collision, "collision"},
     {Reason::undecided, "undecided"},
     {Reason::takeoff, "takeoff"},
+    {Reason::takeoff_ground, "takeoff_ground"},
     {Reason::landing, "landing"},
     {Reason::ceiling, "ceiling"},
     {Reason::range, "range"},

@@ -100,6 +100,7 @@ class LegsCheck {
     CheckResult result = check_path(scene_, *way, strays(legs_, way->size()), clearance);
     if (result.reason != Reason::none) result.part = part_of(result.time);
     if (mission_) check_regions(*way, result);
+    require_takeoff_ground(result);
     require_landing(*way, result);
     if (legs_.speed) check_legs(*way, legs_, limits, result);
     if (legs_.envelope) check_envelope(legs_, result);
@@ -170,6 +171,32 @@ class LegsCheck {
     const bool clear = low.z() > rally.z() || !scene_.hits(rally, low);
     if (clear && ground.whole && std::abs(ground.height - home) <= kLevel) return;
     refuse(result, reason, static_cast<double>(parts()) - 1, foot, ground.height - home);
+  }
+
+  // Where the vehicle stands before its flight, and the file counts heights from; nothing where the
+  // map does not reach, or where the file does not say.
+  std::optional<Vec3> stand() const {
+    const Vec3& first = legs_.path.front();
+    if (legs_.ends.takeoff_from) return Vec3(first.x(), first.y(), *legs_.ends.takeoff_from);
+    if (!mission_ || !mission_->home) return std::nullopt;
+    const Vec3& home = *mission_->home;
+    const geom::Aabb& bounds = scene_.map().spec().bounds;
+    const bool inside = (home.head<2>().array() >= bounds.min.head<2>().array()).all() &&
+                        (home.head<2>().array() <= bounds.max.head<2>().array()).all();
+    return inside ? mission_->home : std::nullopt;
+  }
+
+  // A vehicle takes off from the ground, and its autopilot takes that for home, whatever height the
+  // file gives it. If home is in the air, the whole flight is lower than the file says.
+  void require_takeoff_ground(CheckResult& result) const {
+    const auto place = stand();
+    if (!place) return;
+    const Vec3 above = *place + Vec3(0, 0, kStanding);
+    const double high = place->z() - landing_ground(scene_, above, beside(), kLevel).height;
+    if (high <= kLevel) return;
+    if (result.reason == Reason::none) result.part = part_of(0);
+    refuse(result, Reason::takeoff_ground, 0, *place, high);
+    result.looked = true;
   }
 
   // A vehicle that lands sinks until it touches, whatever height its file says: there must be

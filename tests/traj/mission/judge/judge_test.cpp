@@ -125,6 +125,29 @@ TEST(Judge, LooksAtTheAscentAndTheDescent) {
   EXPECT_EQ(judge(yard(), {flown}, {}).reason, Reason::takeoff) << "below the ground";
 }
 
+TEST(Judge, TakesOffFromTheGround) {
+  FlownMission flown = path({{40, 5, 35}, {80, 5, 35}});
+  flown.ends.takeoff_from = 0.9;
+  EXPECT_TRUE(judge(yard(), {flown}, {}).ok);
+  flown.ends.takeoff_from = 20;
+  const CheckResult result = judge(yard(), {flown}, {});
+  EXPECT_EQ(result.reason, Reason::takeoff_ground);
+  EXPECT_NEAR(result.worst, 20, 1e-9);
+  EXPECT_EQ(result.place, Vec3(40, 5, 20));
+  EXPECT_EQ(judge(yard(), {static_cast<FlownLegs>(flown)}, {}).reason, Reason::takeoff_ground)
+      << "a script has no home";
+}
+
+TEST(Judge, HeightsThatCountFromHomeCountFromTheGround) {
+  FlownMission flown = path({{40, 5, 35}, {80, 5, 35}});
+  flown.home = Vec3(40, 5, 20);
+  EXPECT_EQ(judge(yard(), {flown}, {}).reason, Reason::takeoff_ground) << "without a take-off";
+  flown.home = Vec3(40, 5, 0);
+  EXPECT_TRUE(judge(yard(), {flown}, {}).ok);
+  flown.home = Vec3(-4000, 5, 20);
+  EXPECT_TRUE(judge(yard(), {flown}, {}).ok) << "the map does not reach there";
+}
+
 TEST(Judge, LandsOnWhatIsBelow) {
   FlownMission flown = path({{40, 5, 35}, {5, 5, 35}});
   flown.lands_below = true;
