@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/option/ground_option.h"
 #include "cli/option/numbers_option.h"
 #include "geom/base/usage_error.h"
@@ -55,6 +57,26 @@ void TerrainOption::refuse_idle(const traj::MissionRules& rules) const {
     throw geom::UsageError(
         "--terrain-height says that the ground is flat: leave it or "
         "--ground-model out");
+  }
+}
+
+void TerrainOption::require_used(std::span<const traj::FileFlight> flights,
+                                 const std::string& source) const {
+  const auto uses = [&](bool surface) {
+    return std::any_of(flights.begin(), flights.end(), [&](const traj::FileFlight& one) {
+      const traj::FlownMission* mission = traj::mission_of(one.flown);
+      return mission && mission->terrain && mission->terrain->surface.has_value() == surface;
+    });
+  };
+  if (error_ && !uses(false)) {
+    throw geom::UsageError(fmt::format(
+        "--terrain-error is for heights above terrain, and {} has none: leave it out", source));
+  }
+  if (surface_ && !uses(true)) {
+    throw geom::UsageError(
+        fmt::format("--surface-band is for an aircraft of DJI that follows the surface, and by {} "
+                    "it does not: leave it out",
+                    source));
   }
 }
 

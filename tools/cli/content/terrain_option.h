@@ -5,10 +5,12 @@
 
 #include <CLI/CLI.hpp>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "geom/map/ground_model.h"
 #include "traj/mission/mavlink/mission_flight.h"
+#include "traj/mission/read_mission.h"
 
 namespace cli {
 
@@ -19,6 +21,9 @@ class TerrainOption {
   // Throws UsageError for the ground or one of the others alone, and beside a flat ground in the
   // rules.
   void refuse_idle(const traj::MissionRules& rules) const;
+
+  // Throws UsageError where no flight of the file uses the metres that were given.
+  void require_used(std::span<const traj::FileFlight> flights, const std::string& source) const;
 
   // Reads the ground, where it was given, once. Throws InputError where it is that of another map.
   // The rules point into this.
