@@ -239,7 +239,10 @@ DayTime day_time_of(const Json& value, const char* key, const ZonePlace& place) 
                   .found = shown(value)});
   }
   const double at = hour * 3600 + two(time, 3) * 60 + second - *split.offset;
-  return {.event = {}, .least = at, .most = at + (seconds ? 1 : 60)};
+  return {.event = {},
+          .least = at,
+          .most = at + (seconds ? 1 : 60),
+          .offset = static_cast<double>(*split.offset)};
 }
 
 ZoneType type_of(const Json* value, const char* key, const ZonePlace& place) {

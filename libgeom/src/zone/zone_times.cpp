@@ -60,8 +60,9 @@ class Schedule {
       return;
     }
     if (!period_.begin || !period_.begin->event) {
-      const double begin = midnight + (period_.begin ? period_.begin->least : 0);
-      add_from({begin, begin}, midnight, out);
+      for (const double begin : begins()) {
+        add_from({midnight + begin, midnight + begin}, midnight, out);
+      }
       return;
     }
     for (std::int64_t d = day - 1; d <= day + 1; ++d) {
@@ -72,6 +73,18 @@ class Schedule {
   }
 
  private:
+  // In seconds after midnight UTC: on the day of UTC and, where a time is said in another offset,
+  // on that offset's day.
+  std::vector<double> begins() const {
+    if (!period_.begin) {
+      const double offset = period_.end ? period_.end->offset : 0;
+      return offset == 0 ? std::vector<double>{0} : std::vector<double>{0, -offset};
+    }
+    const double there = period_.begin->least;
+    const double here = there - std::floor(there / kDay) * kDay;
+    return here == there ? std::vector<double>{here} : std::vector<double>{here, there};
+  }
+
   // Whether one of the events may not come around the day.
   bool may_miss(std::int64_t day) const {
     for (const auto& end : {period_.begin, period_.end}) {

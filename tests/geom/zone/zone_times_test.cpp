@@ -50,6 +50,25 @@ TEST(ZoneTimes, CrossMidnightFromTheDayThatIsNamed) {
   EXPECT_FALSE(is_on(spans, kDay + 23 * 3600));
 }
 
+// 00:30 to 01:30 of a Monday two hours ahead of UTC.
+TEST(ZoneTimes, InAnotherOffsetAreOfItsDaysAndOfThoseOfUtc) {
+  DailyPeriod night{.days = 1, .begin = at(-5400), .end = at(-1800)};
+  night.begin->offset = night.end->offset = 7200;
+  const auto spans = times({{.start = {}, .end = {}, .schedule = {night}}});
+  EXPECT_TRUE(is_on(spans, -3600)) << "Monday there";
+  EXPECT_TRUE(is_on(spans, kDay - 3600)) << "Monday by UTC";
+  EXPECT_FALSE(is_on(spans, 0));
+  EXPECT_FALSE(is_on(spans, 2 * kDay - 3600));
+  night.begin.reset();
+  night.end = at(6 * 3600 - 7200);
+  night.end->offset = 7200;
+  const auto morning = times({{.start = {}, .end = {}, .schedule = {night}}});
+  EXPECT_TRUE(is_on(morning, -3600)) << "the day begins two hours before";
+  EXPECT_TRUE(is_on(morning, 3600));
+  EXPECT_FALSE(is_on(morning, -7300));
+  EXPECT_FALSE(is_on(morning, 5 * 3600));
+}
+
 TEST(ZoneTimes, OfAWholeDayToItsLastMinuteLeaveNoGap) {
   const auto spans = times({daily(kEveryDay, 0, 23 * 3600 + 59 * 60)});
   EXPECT_TRUE(is_on(spans, kDay - 0.5));

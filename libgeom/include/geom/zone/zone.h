@@ -58,16 +58,20 @@ inline constexpr Words<DayEvent, 4> kDayEventWords{{{DayEvent::twilight_begins, 
                                                     {DayEvent::twilight_ends, "EECT"}}};
 
 // A time of day: an event, or seconds after midnight UTC between which the time lies. A time to the
-// minute ends with that minute.
+// minute ends with that minute. A time in another offset than UTC's may be before or after this
+// day.
 struct DayTime {
   std::optional<DayEvent> event;
   double least = 0;
   double most = 0;
+  double offset = 0;  // s that the clock which it is read from is ahead of UTC
 };
 
 inline constexpr std::uint8_t kEveryDay = 0x7f;
 
-// Bit d of `days` is the day d after Monday. If it ends before it begins, it ends on the next day.
+// Bit d of `days` is the day d after Monday. Nobody says whether days are those of UTC or of the
+// offset in which a time is said, so the period is there on both. If it ends before it begins, it
+// ends on the next day.
 struct DailyPeriod {
   std::uint8_t days = kEveryDay;
   std::optional<DayTime> begin;  // absent: with the day
