@@ -80,7 +80,7 @@ class Folder {
     listed_ = read_manifest(manifest, name_of(kManifest));
     std::vector<ListedFile> found;
     for (const auto& entry : fs::recursive_directory_iterator(files_.path())) {
-      const std::string name = fs::relative(entry.path(), files_.path()).generic_string();
+      const std::string name = entry.path().lexically_relative(files_.path()).generic_string();
       if (entry.is_directory() && !entry.is_symlink()) continue;
       if (entry.is_symlink() || !entry.is_regular_file()) {
         return Refusal{name, "it is a link or a device, and no file"};
@@ -109,21 +109,30 @@ class Folder {
     }
   }
 
+  // That submission.json speaks of.
+  std::set<std::string> needed() const {
+    std::set<std::string> out;
+    if (submission_.method.params) out.insert(kParamsFile);
+    if (submission_.method.geoid_grid) out.insert(kGeoidFile);
+    if (submission_.pairs) {
+      out.insert("pairs.jsonl");
+      if (submission_.pairs->refused == 0) out.insert("pair_certificates.jsonl");
+    }
+    if (submission_.population) out.insert("population.csv");
+    if (submission_.method.tubes) out.insert(kTubesFile);
+    if (submission_.method.ground_model) out.insert(kGroundFile);
+    for (const std::string& mission : submission_.missions) out.insert("missions/" + mission);
+    return out;
+  }
+
   // Every file of the manifest is one whose content is looked at, or is told.
   std::optional<Refusal> why_not_known() {
-    std::set<std::string> known{"map.boxmap",    "operation.json",    "submission.json",
-                                "claims.jsonl",  "summary.html",      "page.html",
-                                "flights.jsonl", "certificates.jsonl"};
-    if (submission_.method.params) known.insert(kParamsFile);
-    if (submission_.method.geoid_grid) known.insert(kGeoidFile);
-    if (submission_.pairs) {
-      known.insert("pairs.jsonl");
-      if (submission_.pairs->refused == 0) known.insert("pair_certificates.jsonl");
+    std::set<std::string> known = needed();
+    for (const std::string& name : known) {
+      if (!has(name)) return Refusal{name, "it is missing"};
     }
-    if (submission_.population) known.insert("population.csv");
-    if (submission_.method.tubes) known.insert(kTubesFile);
-    if (submission_.method.ground_model) known.insert(kGroundFile);
-    for (const std::string& mission : submission_.missions) known.insert("missions/" + mission);
+    known.insert({"map.boxmap", "operation.json", "submission.json", "claims.jsonl", "summary.html",
+                  "page.html", "flights.jsonl", "certificates.jsonl"});
     for (const FlightClaims& one : claims_) {
       known.insert(one.volumes);
       known.insert(one.risk);
@@ -202,7 +211,6 @@ class Folder {
                      "its geography is of proved tubes, or not, and its tubes are not"};
     }
     if (!tubes) return std::nullopt;
-    if (!has(kTubesFile)) return Refusal{"submission.json", "its tubes are not in the folder"};
     const std::string text = file(kTubesFile);
     if (listed_file(kTubesFile, text).sha256 != tubes->sha256) {
       return Refusal{kTubesFile,
@@ -218,7 +226,6 @@ class Folder {
   std::optional<Refusal> why_ground_differs() {
     const auto& ground = submission_.method.ground_model;
     if (!ground) return std::nullopt;
-    if (!has(kGroundFile)) return Refusal{"submission.json", "its ground is not in the folder"};
     if (files_.listed(kGroundFile).sha256 != ground->sha256) {
       return Refusal{kGroundFile,
                      fmt::format("it is not {}, whose hash submission.json has", ground->name)};

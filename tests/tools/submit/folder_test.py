@@ -211,6 +211,9 @@ def change_files(folder, where):
         mutant = copy(folder, where)
         (mutant / name).unlink()
         expect_refused(mutant, f"without {name}", name)
+        if name != "page.html" and not name.startswith("verify/"):
+            sign(mutant)
+            expect_refused(mutant, f"without {name} in the manifest too", script=False)
     for name in ("more.txt", "volumes/more.json", ".hidden", "more/deep/file"):
         mutant = copy(folder, where)
         (mutant / name).parent.mkdir(parents=True, exist_ok=True)
@@ -221,7 +224,7 @@ def change_files(folder, where):
     mutant = copy(folder, where)
     os.replace(mutant / "summary.html", where / "summary.html")
     os.symlink(where / "summary.html", mutant / "summary.html")
-    expect_refused(mutant, "with a link", "summary.html", script=False)
+    expect_refused(mutant, "with a link", "summary.html")
 
 
 def places_in(value, at=()):
@@ -366,7 +369,7 @@ def change_ground(folder, where):
     try_it("another height model", lambda m: (m / "terrain.ground").write_bytes(other), "terrain.ground: refused: it is not hill.ground")
     try_it("another height model, and its hash", lambda m: swap(m, other), "volumes/town.json")
     try_it("a damaged height model", lambda m: swap(m, bytes(damaged)), "terrain.ground")
-    try_it("no height model", lambda m: (m / "terrain.ground").unlink(), "its ground is not in the folder")
+    try_it("no height model", lambda m: (m / "terrain.ground").unlink(), "terrain.ground: refused: it is missing")
     try_it("no word of a height model", forget, "found one above terrain")
     try_it("a height model that nobody names", lambda m: set_text(m / "submission.json", (said, "")), "terrain.ground: refused: no part")
     try_it("no terrain error", lambda m: set_text(m / "submission.json", (',"terrain_error":3', "")), "terrain_error")

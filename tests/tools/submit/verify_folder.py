@@ -15,6 +15,9 @@ Python's standard library is enough. The script works out
   and that the cells hold every buffer whole;
 - durations, energy and the times of claims.jsonl.
 
+It reads no page: summary.html and page.html count as files alone, and the verdict names them. skyway-check
+FOLDER proves that summary.html says what the other files say.
+
 It does not know how autopilots fly: of a mission (a flight of the kind "mission") it follows the files, the
 sizes of contingency volumes and ground risk buffers, and the people, but not where the mission is flown, its
 clearance and its time. It says so, and skyway-check FOLDER proves these.
@@ -65,7 +68,10 @@ def listed(folder):
 def check_files(folder):
     files = listed(folder)
     found = set()
-    for where, _, names in os.walk(folder):
+    for where, folders, names in os.walk(folder):
+        for name in folders + names:
+            path = os.path.relpath(os.path.join(where, name), folder).replace(os.sep, "/")
+            require(not os.path.islink(os.path.join(where, name)), path, "it is a link, and no file")
         for name in names:
             path = os.path.relpath(os.path.join(where, name), folder).replace(os.sep, "/")
             if path != "manifest.json":
@@ -418,7 +424,10 @@ def check(folder):
     submission = lines(folder, "submission.json")[0]
     method, claims = submission["method"], lines(folder, "claims.jsonl")
     origin, enu = method["origin"], submission["frame"] == "enu"
-    records = {one["id"]: one for one in lines(folder, "flights.jsonl")}
+    flights = lines(folder, "flights.jsonl")
+    records = {one["id"]: one for one in flights}
+    require(len(records) == len(flights), "flights.jsonl", "an id comes twice")
+    require(len({one["id"] for one in claims}) == len(claims), "claims.jsonl", "an id comes twice")
     require(len(claims) == submission["flights"], "claims.jsonl", "flights are missing")
     require(set(records) == {c["id"] for c in claims if c["kind"] == "trajectory"}, "claims.jsonl", "its flights are others")
     check_certificates(folder, found)
@@ -436,16 +445,16 @@ def check(folder):
             below, unknown = people_below(cells, buffers, "population.csv")
             require(one["people"] >= below - 1e-6 * max(1, below), "claims.jsonl", f"{below} people are below {one['id']}")
             require(one["people_unknown"] >= unknown, "claims.jsonl", f"{unknown} cells below {one['id']} have no number")
-    return claims
+    return claims, sorted(path for path in found if path.endswith(".html"))
 
 
-def verdict(claims):
+def verdict(claims, pages):
     missions = sum(one["kind"] == "mission" for one in claims)
-    out = f"{len(claims)} flights: files, certificates, volumes and claims hold"
+    unread = f"; not looked at: {', '.join(pages)}" if pages else ""
     if not missions:
-        return out
+        return f"{len(claims)} flights: files, certificates, volumes and claims hold{unread}"
     return f"{len(claims)} flights, missions among them: {missions}; files, certificates and sizes hold; only skyway-check FOLDER " \
-           "proves where a mission is flown, its clearance and its time"
+           f"proves where a mission is flown, its clearance and its time{unread}"
 
 
 def main():
@@ -453,14 +462,14 @@ def main():
         print(__doc__.splitlines()[0], file=sys.stderr)
         return 2
     try:
-        claims = check(sys.argv[1])
+        claims, pages = check(sys.argv[1])
     except Refused as refusal:
         print(f"refused: {refusal}")
         return 1
     except (OSError, KeyError, ValueError, TypeError, IndexError) as error:
         print(f"{sys.argv[1]}: {type(error).__name__}: {error}")
         return 3
-    print(verdict(claims))
+    print(verdict(claims, pages))
     return 0
 
 
