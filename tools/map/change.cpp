@@ -132,11 +132,11 @@ void run_patch(const Files& files, const Changes& changes, const cli::Common& co
         "--zero-height: expected --keep-out with volumes of ASTM F3548, or --zones");
   }
   if (!changes.keep_out.empty()) {
-    stats["keep_out"] = patch.add("keep_out", keep_out(changes.keep_out, patch.spec(),
-                                                       changes.volumes, changes.metres, common));
+    stats["keep_out"] =
+        patch_keep_out(changes.keep_out, changes.volumes, changes.metres, common, patch);
   }
   if (!changes.fence.empty()) {
-    stats["fence"] = patch.add("fence", fence(changes.fence, patch.spec(), changes.volumes));
+    stats["fence"] = patch_fence(changes.fence, changes.volumes, patch);
   }
   patch_airspace(changes.airspace, {map, changes.volumes.zero_height, changes.volumes.slack}, patch,
                  common, stats);

@@ -15,6 +15,7 @@
 #include "geom/map/box_map_file.h"
 #include "geom/map/derive.h"
 #include "geom/map/join.h"
+#include "geom/map/map_doubts.h"
 #include "geom/text/counted.h"
 #include "verbs.h"
 
@@ -45,6 +46,15 @@ void run_bounds(const Files& files, const geom::BoundsChange& change,
   write(files, made.map);
 }
 
+// Maps of different origins, whose z can only be taken as it is.
+bool heights_unknown(const std::vector<geom::SourceMap>& maps) {
+  const geom::Frame& first = maps.front().map.spec().frame;
+  return std::any_of(maps.begin(), maps.end(), [&](const geom::SourceMap& one) {
+    const geom::Frame& frame = one.map.spec().frame;
+    return !(frame == first) && frame.origin && frame.origin->height == 0;
+  });
+}
+
 void run_join(const std::vector<std::string>& names, const std::string& output,
               const cli::Common& common) {
   cli::at_most_one_stdin({names[0]});
@@ -55,7 +65,20 @@ void run_join(const std::vector<std::string>& names, const std::string& output,
     }
     maps.push_back({name, open(name, common)});
   }
-  write({names[0], output}, geom::join(maps));
+  const BoxMap joined = geom::join(maps);
+  if (const double gap = geom::doubts_of(joined.spec()).gap; gap > 0) {
+    common.warn(
+        fmt::format("{:.3g} % of the joined bounds lie within the bounds of no map: nobody knows "
+                    "what stands there, and it counts as free; give the maps bounds that meet "
+                    "(skyway-map bounds)",
+                    100 * gap));
+  }
+  if (maps.size() > 1 && heights_unknown(maps)) {
+    common.warn(
+        "nobody knows how high these maps are above the ellipsoid (their origins have 0 m): their "
+        "z = 0 count as equally high");
+  }
+  write({names[0], output}, joined);
 }
 
 void run_merge(const Files& files, const cli::Common& common) {

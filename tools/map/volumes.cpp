@@ -38,22 +38,25 @@ void warn_of_unread(const geom::KeepOut& zones, const std::string& name,
 
 }  // namespace
 
-geom::BoxTable keep_out(const std::string& path, const geom::BoxMapSpec& spec,
-                        const geom::VolumeOptions& options, const cli::MetresOption& metres,
-                        const cli::Common& common) {
+std::size_t patch_keep_out(const std::string& path, const geom::VolumeOptions& options,
+                           const cli::MetresOption& metres, const cli::Common& common,
+                           geom::MapPatch& patch) {
   cli::InputFile file(path);
+  const geom::BoxMapSpec& spec = patch.spec();
   const geom::KeepOut zones = geom::read_volumes(file.read_all(), file.name(), spec, options);
   if (options.local) require_metres(zones, spec.frame, file.name(), metres);
   warn_of_unread(zones, file.name(), common);
-  return geom::keep_out_boxes(zones, file.name(), spec, options);
+  patch.note_cut_to_heights(zones.open_below, zones.open_above);
+  return patch.add("keep_out", geom::keep_out_boxes(zones, file.name(), spec, options));
 }
 
-geom::BoxTable fence(const std::string& path, const geom::BoxMapSpec& spec,
-                     const geom::VolumeOptions& options) {
-  traj::require_place_for_fences(spec);
+std::size_t patch_fence(const std::string& path, const geom::VolumeOptions& options,
+                        geom::MapPatch& patch) {
+  traj::require_place_for_fences(patch.spec());
   cli::InputFile file(path);
-  return traj::fence_boxes(traj::read_fences(file.stream(), file.name()), file.name(), spec,
-                           options);
+  patch.note_cut_to_bounds();
+  return patch.add("fence", traj::fence_boxes(traj::read_fences(file.stream(), file.name()),
+                                              file.name(), patch.spec(), options));
 }
 
 }  // namespace verbs

@@ -93,8 +93,12 @@ class Reader {
     note_unread(feature, properties, geometry);
     Footprint volume;
     volume.id = feature_;
-    volume.bottom = altitude(properties, {"lower", "lower_altitude_m"}, options_.floor);
-    volume.top = altitude(properties, {"upper", "upper_altitude_m"}, options_.ceiling);
+    const auto lower = altitude(properties, {"lower", "lower_altitude_m"});
+    const auto upper = altitude(properties, {"upper", "upper_altitude_m"});
+    volume.bottom = lower.value_or(options_.floor);
+    volume.top = upper.value_or(options_.ceiling);
+    out_.open_below = out_.open_below || !lower;
+    out_.open_above = out_.open_above || !upper;
     if (volume.bottom > volume.top) {
       refuse({.key = "the lower altitude",
               .expected = "<= the upper one",
@@ -139,8 +143,8 @@ class Reader {
     return {after.least, after.most};
   }
 
-  double altitude(const Json& properties, std::initializer_list<const char*> keys,
-                  double fallback) const {
+  std::optional<double> altitude(const Json& properties,
+                                 std::initializer_list<const char*> keys) const {
     std::optional<double> said;
     for (const char* key : keys) {
       if (!properties.is_object() || !properties.contains(key) || properties[key].is_null())
@@ -157,7 +161,7 @@ class Reader {
       said = value.get<double>();
     }
     if (said) require_no_unit(properties);
-    return said.value_or(fallback);
+    return said;
   }
 
   // Beside an altitude.

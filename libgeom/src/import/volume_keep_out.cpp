@@ -53,6 +53,8 @@ class Placing {
     if (!volume.lower)
       prism.bottom = volume.upper ? std::min(options_.floor, prism.top) : options_.floor;
     if (!volume.upper) prism.top = std::max(options_.ceiling, prism.bottom);
+    out.open_below = out.open_below || !volume.lower;
+    out.open_above = out.open_above || !volume.upper;
     out.volumes.push_back(std::move(prism));
     out.labels.push_back("keep-out");
     out.bulge.push_back(outline.bulge + kRounding);

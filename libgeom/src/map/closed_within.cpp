@@ -6,6 +6,7 @@
 #include <string>
 
 #include "geom/base/error.h"
+#include "geom/base/precondition.h"
 #include "geom/text/parse_json.h"
 
 namespace geom {
@@ -28,6 +29,21 @@ std::optional<Aabb> box_of(const Json& step, const char* key) {
 std::optional<Aabb> both(const std::optional<Aabb>& a, const std::optional<Aabb>& b) {
   if (!a || !b) return a ? a : b;
   return Aabb{a->min.cwiseMax(b->min), a->max.cwiseMin(b->max)};
+}
+
+// "z from 0 to 120", "z up to 120": the sides that there are.
+std::string in_words(const Aabb& box) {
+  std::string out;
+  for (int i = 0; i < 3; ++i) {
+    const bool from = box.min[i] > -kFarthest;
+    const bool to = box.max[i] < kFarthest;
+    if (!from && !to) continue;
+    if (!out.empty()) out += ", ";
+    out += "xyz"[i];
+    if (from) out += fmt::format(" from {:.6g}", box.min[i]);
+    if (to) out += fmt::format(" {} {:.6g}", from ? "to" : "up to", box.max[i]);
+  }
+  return out;
 }
 
 std::optional<Aabb> within(const Json& steps) {
@@ -59,11 +75,10 @@ void require_closed_within(const BoxMapSpec& spec, const Aabb& bounds, const std
   }
   throw InputError(
       source,
-      {.says = fmt::format("zones of airspace or limits over the ground are closed in this map "
-                           "only within {:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}",
-                           closed->min.x(), closed->min.y(), closed->min.z(), closed->max.x(),
-                           closed->max.y(), closed->max.z()),
-       .advice = "change the bounds of the map before you patch the zones into it"});
+      {.says = fmt::format("zones of airspace, limits over the ground, fences or keep-out volumes "
+                           "are closed in this map only within {}",
+                           in_words(*closed)),
+       .advice = "change the bounds of the map before you patch these into it"});
 }
 
 }  // namespace geom

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "geom/base/error.h"
 #include "geom/map/closed_within.h"
@@ -10,6 +11,7 @@
 #include "geom/map/map_draft.h"
 #include "geom/text/parse_json.h"
 #include "require_bounds.h"
+#include "share_outside.h"
 
 namespace geom {
 namespace {
@@ -46,14 +48,15 @@ Aabb bounds_in(const Frame& frame, const SourceMap& other) {
   return in_frame(frame, BoxMap(std::move(moved), corner), other.name).boxes.front();
 }
 
-// Zones of a map are closed within its bounds alone, and in its own frame.
+// Zones of a map and their like are closed within its bounds alone, and in its own frame.
 void require_closed_in_join(const SourceMap& one, const BoxMapSpec& joined) {
   const auto closed = closed_within(one.map.spec());
   if (!closed) return;
   if (!(one.map.spec().frame == joined.frame)) {
-    throw InputError(one.name, {.says = "it has zones of airspace, and another origin than the "
-                                        "map that it is joined to",
-                                .advice = "join the maps before you patch the zones into them"});
+    throw InputError(one.name,
+                     {.says = "it has zones of airspace, fences or keep-out volumes that were cut "
+                              "to its bounds, and another origin than the map that it is joined to",
+                      .advice = "join the maps before you patch these into them"});
   }
   require_closed_within(one.map.spec(), joined.bounds, one.name);
 }
@@ -87,6 +90,9 @@ MadeMap with_bounds(const BoxMap& map, const BoundsChange& change, const std::st
   BoxMapSpec spec = map.spec();
   const BoxTable table = table_of(map);
   Json step = derived_step("bounds", map);
+  if (change.pad && table.boxes.empty()) {
+    throw InputError(source, {.expected = "obstacles to count --pad from", .found = "none"});
+  }
   if (change.pad) {
     Aabb around = *bounds(table.boxes);
     around.min -= Vec3(*change.pad, *change.pad, 0);
@@ -99,6 +105,9 @@ MadeMap with_bounds(const BoxMap& map, const BoundsChange& change, const std::st
   if (change.bounds) step["bounds"] = numbers(spec.bounds = *change.bounds);
   require_bounds(spec.bounds, source);
   require_closed_within(map.spec(), spec.bounds, source);
+  const Aabb& before = map.spec().bounds;
+  const bool within = contains(before, spec.bounds.min) && contains(before, spec.bounds.max);
+  if (!within) step["widened"] = true;
   spec.bounds_from = "option";
   std::size_t beyond = 0;
   for (const Aabb& box : table.boxes) beyond += !overlap(box, spec.bounds);
@@ -112,6 +121,7 @@ BoxMap join(std::span<const SourceMap> maps) {
   Json step = derived_step("join", first);
   Json others = Json::array();
   Json histories = Json::array();
+  std::vector<Aabb> parts = {spec.bounds};
   std::size_t skipped = 0;  // that the others know of; the first has its own history
   for (const SourceMap& other : maps.subspan(1)) {
     others.push_back(other.map.hash());
@@ -119,12 +129,14 @@ BoxMap join(std::span<const SourceMap> maps) {
     skipped += skipped_in(other.map.spec());
     append(table, in_frame(spec.frame, other.map, other.name));
     join_epoch(spec, other);
-    spec.bounds = merged(spec.bounds, bounds_in(spec.frame, other));
+    parts.push_back(bounds_in(spec.frame, other));
+    spec.bounds = merged(spec.bounds, parts.back());
   }
   for (const SourceMap& one : maps) require_closed_in_join(one, spec);
   step["others"] = others;
   step["histories"] = histories;
   if (skipped > 0) step["skipped"] = skipped;
+  if (const double gap = share_outside(parts); gap > 0) step["joined_gap"] = gap;
   return derived(std::move(spec), table, step);
 }
 

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "geom/map/map_doubts.h"
 #include "geom/map/map_draft.h"
 #include "geom/map/statistics.h"
 #include "geom/text/excerpt.h"
@@ -52,6 +53,7 @@ Json description(const BoxMap& map) {
   if (spec.epoch) out["epoch"] = *spec.epoch;
   if (!map.timed().empty()) out["timed_boxes"] = map.timed().size();
   if (const std::size_t skipped = skipped_in(spec)) out["skipped_obstacles"] = skipped;
+  if (const double gap = doubts_of(spec).gap; gap > 0) out["share_in_no_joined_map"] = gap;
   out["history"] =
       parse_ordered_json(spec.history.empty() ? "[]" : spec.history, "the map's history");
   return out;

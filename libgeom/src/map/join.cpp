@@ -1,6 +1,9 @@
 #include "geom/map/join.h"
 
+#include <fmt/format.h>
+
 #include <optional>
+#include <string>
 
 #include "geom/base/error.h"
 #include "geom/base/rounding.h"
@@ -51,6 +54,22 @@ class Mover {
   double up_;
 };
 
+// A height of 0 means that nobody knows it, so it is no difference of heights.
+void require_like_heights(const Frame& frame, const Frame& from, std::string_view source) {
+  const double first = frame.origin->height;
+  const double other = from.origin->height;
+  if ((first == 0) == (other == 0)) return;
+  const auto shown = [](double height) {
+    return height == 0 ? std::string("none (0 m)") : fmt::format("{:g} m", height);
+  };
+  throw InputError(source, {.says = fmt::format("expected a height of the origin above the "
+                                                "ellipsoid in both maps or in none, found {} in "
+                                                "the first map, {} in this one",
+                                                shown(first), shown(other)),
+                            .advice = "make the map without it anew (--origin "
+                                      "LAT,LON,HEIGHT)"});
+}
+
 }  // namespace
 
 BoxTable table_of(const BoxMap& map, const Aabb* region) {
@@ -81,6 +100,7 @@ BoxTable in_frame(const Frame& frame, const BoxMap& other, std::string_view sour
                               "an origin on Earth; found \"" + from.crs + "\"" +
                               (from.origin ? "" : " and no origin")});
   }
+  require_like_heights(frame, from, source);
   const Mover mover(frame, from);
   for (Aabb& box : table.boxes) box = mover.moved(box);
   return table;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "geom/base/error.h"
+#include "geom/base/precondition.h"
 #include "geom/map/derive.h"
 #include "geom/map/join.h"
 
@@ -89,8 +90,20 @@ void MapPatch::note(const char* what, const nlohmann::ordered_json& value) {
   step_->json[what] = value;
 }
 
-void MapPatch::note_cut_to_bounds() {
-  const Aabb& b = spec_.bounds;
+void MapPatch::note_cut_to_bounds() { note_closed_within(spec_.bounds); }
+
+void MapPatch::note_cut_to_heights(bool below, bool above) {
+  if (!below && !above) return;
+  Aabb within{Vec3::Constant(-kFarthest), Vec3::Constant(kFarthest)};
+  if (below) within.min.z() = spec_.bounds.min.z();
+  if (above) within.max.z() = spec_.bounds.max.z();
+  note_closed_within(within);
+}
+
+// A patch has one set of bounds, so those of all that it cut are the smallest of what was noted.
+void MapPatch::note_closed_within(const Aabb& box) {
+  closed_ = closed_ ? Aabb{closed_->min.cwiseMax(box.min), closed_->max.cwiseMin(box.max)} : box;
+  const Aabb& b = *closed_;
   step_->json["closed_within"] = {b.min.x(), b.min.y(), b.min.z(), b.max.x(), b.max.y(), b.max.z()};
 }
 

@@ -100,6 +100,20 @@ TEST(KeepOut, IsThereWhenItsTimesSay) {
   EXPECT_NEAR(part.from, part.until, 1e-14);
 }
 
+TEST(KeepOut, SaysWhetherAVolumeReachesToTheEndOfTheMap) {
+  const auto open = [](const std::string& properties) {
+    const KeepOut zones = read_keep_out(
+        Text(R"({"type":"Feature","properties":{)" + properties +
+             R"(},"geometry":{"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1],[0,0]]]}})"),
+        "zones", {}, kTimed);
+    return std::pair(zones.open_below, zones.open_above);
+  };
+  EXPECT_EQ(open(""), std::pair(true, true));
+  EXPECT_EQ(open(R"("lower":3)"), std::pair(false, true));
+  EXPECT_EQ(open(R"("lower":null,"upper_altitude_m":30)"), std::pair(true, false));
+  EXPECT_EQ(open(R"("lower":3,"upper":30)"), std::pair(false, false));
+}
+
 TEST(KeepOut, RefusesTimesThatCannotBe) {
   const auto refusal = [](const std::string& properties, const KeepOutOptions& options = kTimed,
                           const std::string& more = "") {

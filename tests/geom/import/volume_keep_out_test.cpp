@@ -33,7 +33,9 @@ TEST(VolumeKeepOut, StandsAtItsAltitudes) {
   EXPECT_GE(placed(volume).volumes[0].top, 250.2 - 203);
   EXPECT_NEAR(placed(volume).volumes[0].bottom, 10.1, 1e-12);
   EXPECT_NEAR(placed(volume).volumes[0].top, 47.2, 1e-12);
+  EXPECT_FALSE(placed(volume).open_below || placed(volume).open_above);
   volume.lower.reset();
+  EXPECT_TRUE(placed(volume).open_below && !placed(volume).open_above);
   volume.upper = 100;  // below the map
   EXPECT_EQ(placed(volume).volumes[0].bottom, -103);
   EXPECT_EQ(placed(volume, kFrame, {50, -5, 120}).volumes[0].top, 50);

@@ -37,6 +37,21 @@ TEST(ClosedWithin, RefusesWiderBoundsOfAMapWithZones) {
   EXPECT_NO_THROW(with_bounds(plain(100), {.ceiling = 60}, "city.boxmap"));
 }
 
+TEST(ClosedWithin, CountsTheHeightsThatAVolumeWithoutAltitudesReachesTo) {
+  const BoxMap map = plain(100);
+  MapPatch patch(map, "city.boxmap");
+  patch.note_cut_to_heights(false, true);
+  const BoxMap open = patch.made();
+  EXPECT_THROW(with_bounds(open, {.ceiling = 60}, "city.boxmap"), InputError);
+  EXPECT_NO_THROW(with_bounds(open, {.bounds = Aabb{{-90, -90, -10}, {900, 900, 50}}}, "c"));
+  patch.note_cut_to_heights(true, false);
+  EXPECT_THROW(with_bounds(patch.made(), {.ceiling = 60}, "c"), InputError) << "both count";
+  EXPECT_THROW(with_bounds(patch.made(), {.floor = -10}, "c"), InputError);
+  MapPatch none(map, "city.boxmap");
+  none.note_cut_to_heights(false, false);
+  EXPECT_FALSE(closed_within(none.made().spec()));
+}
+
 TEST(ClosedWithin, IsCutByACrop) {
   const BoxMap cropped = crop(with_zones(plain(100)), {{0, 0, 0}, {40, 40, 50}}, "city.boxmap");
   EXPECT_THROW(with_bounds(cropped, {.bounds = Aabb{{0, 0, 0}, {50, 50, 50}}}, "c"), InputError);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geom/base/error.h"
+#include "geom/map/map_doubts.h"
 #include "geom/map/map_draft.h"
 #include "support/random_city.h"
 
@@ -63,6 +64,13 @@ TEST(WithBounds, CountsWhatIsBeyondAndRefusesEmptyBounds) {
   EXPECT_THROW(with_bounds(city(), {.ceiling = 0}, "city"), InputError);
 }
 
+TEST(WithBounds, HasNothingToPadInAMapWithoutBoxes) {
+  const BoxMap none = crop(city(), {{40, 40, 30}, {45, 45, 40}}, "city");
+  ASSERT_EQ(none.size(), 0u);
+  EXPECT_THROW(with_bounds(none, {.pad = 5}, "city"), InputError);
+  EXPECT_NO_THROW(with_bounds(none, {.ceiling = 60}, "city"));
+}
+
 TEST(Inflate, GrowsEachBoxOnEverySide) {
   const BoxMap grown = inflate(city(), 0.5);
   EXPECT_EQ(grown.size(), 2u);
@@ -79,6 +87,25 @@ TEST(Join, HasTheBoxesAndTheBoundsOfAll) {
   EXPECT_EQ(joined.size(), 3u);
   EXPECT_EQ(joined.spec().bounds, (Aabb{{0, 0, -10}, {200, 100, 50}}));
   EXPECT_EQ(skipped_in(joined.spec()), 3u);
+}
+
+TEST(Join, SaysHowMuchOfItsBoundsNoMapKnows) {
+  const auto with = [](const Aabb& bounds) {
+    BoxMapSpec spec = city().spec();
+    spec.bounds = bounds;
+    return SourceMap{"map", BoxMap(spec, support::table_of({{{0, 0, 0}, {1, 1, 1}}}))};
+  };
+  const SourceMap west = with({{0, 0, 0}, {10, 10, 10}});
+  const SourceMap east = with({{10, 0, 0}, {20, 10, 10}});
+  const SourceMap low = with({{10, 0, 0}, {20, 10, 5}});
+  const SourceMap far = with({{30, 0, 0}, {40, 10, 10}});
+  const auto gap = [](std::vector<SourceMap> maps) { return doubts_of(join(maps).spec()).gap; };
+  EXPECT_EQ(gap({west, east}), 0);
+  EXPECT_NEAR(gap({west, low}), 0.25, 1e-3) << "above the second";
+  EXPECT_NEAR(gap({west, far}), 0.5, 1e-3) << "between them";
+  EXPECT_EQ(gap({west, far, east, with({{20, 0, 0}, {30, 10, 10}})}), 0);
+  EXPECT_NEAR(gap({west, {"joined", join(std::vector{west, far})}}), 0.5, 1e-3)
+      << "of a join before";
 }
 
 TEST(Join, RefusesTwoEpochs) {

@@ -74,6 +74,17 @@ TEST(InFrame, RefusesWhatCannotBeBroughtTogether) {
   EXPECT_THROW(in_frame({Axes::neu, {}, ""}, map, "b"), InputError);
 }
 
+TEST(InFrame, TakesNoUnknownHeightForADifference) {
+  Frame known = at(60.001, 25);
+  known.origin->height = 400;
+  EXPECT_THROW(in_frame(at(60, 25), map_at(known, {{{0, 0, 0}, {1, 1, 20}}}), "b"), InputError);
+  EXPECT_THROW(in_frame(known, map_at(at(60, 25), {{{0, 0, 0}, {1, 1, 20}}}), "b"), InputError);
+  Frame higher = at(60, 25);
+  higher.origin->height = 410;
+  const BoxTable moved = in_frame(known, map_at(higher, {{{0, 0, 0}, {1, 1, 20}}}), "b");
+  EXPECT_NEAR(moved.boxes[0].min.z(), 10, 1e-9);
+}
+
 TEST(Append, UnitesLabels) {
   BoxTable a = support::table_of({{{0, 0, 0}, {1, 1, 1}}});
   BoxTable b = a;

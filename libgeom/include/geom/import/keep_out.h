@@ -26,7 +26,11 @@ struct KeepOut {
   std::vector<std::string> labels;  // "keep-out: NAME", one a volume
   std::vector<double> bulge;        // metres the true outline may reach outside the polygon
   std::vector<TimeSpan> times;      // when each is there, rounded outward
-  bool longitude_first = false;     // whether the file should have it so, and may have it wrong
+  // Whether one reaches down to the map's floor, or up to its ceiling, since the file says no
+  // altitude: wider bounds of the map would let vehicles through below or above it.
+  bool open_below = false;
+  bool open_above = false;
+  bool longitude_first = false;  // whether the file should have it so, and may have it wrong
   // Names that speak of heights or times and are not read, as ED-318 and others have them, and how
   // many features have each.
   std::map<std::string, std::size_t> unread;

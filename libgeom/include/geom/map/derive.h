@@ -49,7 +49,8 @@ struct BoundsChange {
 MadeMap with_bounds(const BoxMap& map, const BoundsChange& change, const std::string& source);
 
 // All boxes of the maps, at least one, in the frame of the first; the bounds are around all bounds.
-// Throws InputError as in_frame() does, and where two have different epochs.
+// The history says how much of them lies within the bounds of no map (map_doubts.h). Throws
+// InputError as in_frame() does, and where two have different epochs.
 BoxMap join(std::span<const SourceMap> maps);
 
 // Each box grown by so many metres on every side, rounded outward.

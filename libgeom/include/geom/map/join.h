@@ -17,8 +17,8 @@ namespace geom {
 // The boxes of `other` in the coordinates of `frame`. If the frames are equal, the boxes stay as
 // they are. If both frames have an origin and count metres east and north of it (no CRS, or a
 // transverse Mercator projection about the origin), each box becomes the box around its moved
-// corners, and a little more for the bulge of its edges. Else throws InputError(source, …), which
-// says what differs.
+// corners, and a little more for the bulge of its edges. If only one of the origins has a height
+// (0 m: nobody knows it), and else, throws InputError(source, …), which says what differs.
 BoxTable in_frame(const Frame& frame, const BoxMap& other, std::string_view source);
 
 // A table of the map's boxes. If `region` is given, a table of the boxes that meet it.

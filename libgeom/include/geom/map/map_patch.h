@@ -49,6 +49,8 @@ class MapPatch {
 
   // Says in the history that boxes were cut to the bounds that the map has now (closed_within.h).
   void note_cut_to_bounds();
+  // The same of their floor or ceiling alone.
+  void note_cut_to_heights(bool below, bool above);
 
   const BoxMapSpec& spec() const { return spec_; }  // as far as it was changed
 
@@ -58,9 +60,12 @@ class MapPatch {
 
  private:
   struct Step;
+  void note_closed_within(const Aabb& box);
+
   std::string source_;
   BoxMapSpec spec_;
   BoxTable table_;
+  std::optional<Aabb> closed_;  // within which this patch closed what it was asked to
   std::unique_ptr<Step> step_;
 };
 
