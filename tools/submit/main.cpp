@@ -145,6 +145,7 @@ int main(int argc, char** argv) {
     traj::Submission submission{.made_by = kMadeBy};
     submission.method = options.method(operation, scenes.map().spec(), scenes.map().hash());
     submission.zones = traj::zones_of(scenes.map().spec());
+    submission.doubts = geom::doubts_of(scenes.map().spec());
     SubmissionFolder folder(options.folder);
     folder.add("map.boxmap", text_of(options.map));
     folder.add("operation.json", operation_text);

@@ -18,6 +18,7 @@ class Assumptions {
 
   std::vector<std::string> all() {
     item("The map is like the world, and the vehicle is like its profile.");
+    assume_map();
     assume_straying();
     item(
         fmt::format("The map's origin is at {:.9g}, {:.9g} and {:g} m above the ellipsoid of WGS "
@@ -115,6 +116,28 @@ class Assumptions {
                     "{:g} m behind its terrain. All of this makes a band of heights of up to "
                     "{:.1f} m, which is what was proved clear.",
                     *method_.terrain_error, most.spacing, most.lag, most.band));
+  }
+
+  // Where the map's makers did not know the world, and say so.
+  void assume_map() {
+    const geom::MapDoubts& doubts = submission_.doubts;
+    if (doubts.skipped > 0) {
+      item(fmt::format("{} of the map's sources could not be built, and {} not in the map.",
+                       geom::counted(doubts.skipped, "possible obstacle"),
+                       doubts.skipped == 1 ? "is" : "are"));
+    }
+    if (doubts.unknown_free) item("Space of which a source of the map says nothing is free.");
+    if (doubts.widened) {
+      item(
+          "Nothing stands between the map's first bounds and its present ones, which somebody set "
+          "wider.");
+    }
+    if (doubts.gap > 0) {
+      item(
+          fmt::format("Nothing stands where none of the maps that were joined reaches: in {:.3g} % "
+                      "of the bounds.",
+                      100 * doubts.gap));
+    }
   }
 
   // How far the vehicle may be from its way.

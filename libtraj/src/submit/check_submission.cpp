@@ -171,6 +171,9 @@ class Folder {
     if (zones_of(map_->spec()) != submission_.zones) {
       return Refusal{"submission.json", "its zones are not those that the map's history names"};
     }
+    if (!(geom::doubts_of(map_->spec()) == submission_.doubts)) {
+      return Refusal{"submission.json", "its doubts are not those of the map's history"};
+    }
     if (method.risk.dimension != operation_.uas.dimension ||
         method.endurance != operation_.uas.endurance) {
       return Refusal{"submission.json",

@@ -76,6 +76,15 @@ JsonLine json_of(const FlightPairs& pairs) {
       out.add("compared", pairs.compared).add("too_near", pairs.refused).add("named", pairs.named));
 }
 
+JsonLine json_of(const geom::MapDoubts& doubts) {
+  JsonLine out;
+  if (doubts.skipped > 0) out.add("skipped", doubts.skipped);
+  if (doubts.unknown_free) out.add("unknown_free", true);
+  if (doubts.widened) out.add("widened", true);
+  if (doubts.gap > 0) out.add("gap", doubts.gap);
+  return out;
+}
+
 JsonLine json_of(const TerrainClaim& claim) {
   JsonLine out;
   add(out, claim);
@@ -230,6 +239,16 @@ FlightPairs read_pairs(const JsonFields& fields) {
   return out;
 }
 
+geom::MapDoubts read_doubts(const JsonFields& fields) {
+  const auto said = [&](const char* key) { return fields.has(key) && fields.value(key) == true; };
+  geom::MapDoubts out;
+  if (fields.has("skipped")) out.skipped = count(fields, "skipped", 1, 1e18);
+  out.unknown_free = said("unknown_free");
+  out.widened = said("widened");
+  out.gap = fields.number("gap").value_or(0);
+  return out;
+}
+
 SourceFile read_source_file(const nlohmann::json& value, std::string_view source) {
   const JsonFields fields(value.dump(), source, 0);
   return {fields.text("name"), fields.text("sha256"), fields.text("date", "")};
@@ -293,6 +312,7 @@ std::string to_json_line(const Submission& submission) {
       .add("missions", submission.missions);
   if (submission.population) out.add("population", json_of(*submission.population));
   out.add("zones", submission.zones, [](const SourceFile& file) { return json_of(file); });
+  if (submission.doubts.any()) out.add("doubts", json_of(submission.doubts));
   if (submission.pairs) out.add("pairs", json_of(*submission.pairs));
   return out.line();
 }
@@ -327,6 +347,7 @@ Submission read_submission(std::string_view json, std::string_view source) {
   for (const nlohmann::json& zone : list(fields, "zones")) {
     out.zones.push_back(read_source_file(zone, source));
   }
+  if (fields.has("doubts")) out.doubts = read_doubts(member(fields, "doubts", source));
   if (fields.has("pairs")) out.pairs = read_pairs(member(fields, "pairs", source));
   return out;
 }

@@ -17,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geom/map/map_doubts.h"
 #include "geom/record/record.h"
 #include "traj/flight/energy.h"
 #include "traj/mission/formats/flier.h"
@@ -86,6 +87,7 @@ struct Submission {
   std::vector<std::string> missions;     // files in missions/, by name
   std::optional<SourceFile> population;  // of which population.csv is a part
   std::vector<SourceFile> zones;         // closed in the map: zones_of() its history
+  geom::MapDoubts doubts;                // of the map, by its history
   std::size_t flights = 0;
   std::optional<FlightPairs> pairs;  // where the method asks for it
 };
