@@ -333,8 +333,11 @@ std::string fault_in_words(const CheckResult& result, const geom::BoxMap& map, c
       return fmt::format("the vehicle begins {:.3g} m above the ground that it takes off from",
                          worst);
     case Reason::takeoff_ground:
-      return fmt::format(
-          "the take-off is in the air, {:.3g} m above what stands or lies there in the map", worst);
+      return worst > 0 ? fmt::format(
+                             "the take-off is in the air, {:.3g} m above what stands or lies "
+                             "there in the map",
+                             worst)
+                       : fmt::format("the take-off is {:.3g} m below the map", -worst);
     case Reason::landing:
       return landing_fault(worst);
     case Reason::ceiling:

@@ -187,13 +187,14 @@ class LegsCheck {
   }
 
   // A vehicle takes off from the ground, and its autopilot takes that for home, whatever height the
-  // file gives it. If home is in the air, the whole flight is lower than the file says.
+  // file gives it. If home is in the air, the whole flight is lower than the file says; if it is
+  // below the map, higher.
   void require_takeoff_ground(CheckResult& result) const {
     const auto place = stand();
     if (!place) return;
     const Vec3 above = *place + Vec3(0, 0, kStanding);
     const double high = place->z() - landing_ground(scene_, above, beside(), kLevel).height;
-    if (high <= kLevel) return;
+    if (std::abs(high) <= kLevel) return;
     if (result.reason == Reason::none) result.part = part_of(0);
     refuse(result, Reason::takeoff_ground, 0, *place, high);
     result.looked = true;

@@ -144,6 +144,8 @@ TEST(Judge, HeightsThatCountFromHomeCountFromTheGround) {
   EXPECT_EQ(judge(yard(), {flown}, {}).reason, Reason::takeoff_ground) << "without a take-off";
   flown.home = Vec3(40, 5, 0);
   EXPECT_TRUE(judge(yard(), {flown}, {}).ok);
+  flown.home = Vec3(40, 5, yard().map().spec().bounds.min.z() - 20);
+  EXPECT_EQ(judge(yard(), {flown}, {}).reason, Reason::takeoff_ground) << "below the map";
   flown.home = Vec3(-4000, 5, 20);
   EXPECT_TRUE(judge(yard(), {flown}, {}).ok) << "the map does not reach there";
 }
