@@ -305,6 +305,8 @@ class Builder {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t r = 0; r < surface.size(); ++r) {
       std::vector<Vec2>& ring = r == 0 ? f.polygon.outer : f.polygon.holes.emplace_back();
+      ring.reserve(surface[r].size());
+      f.heights.reserve(f.heights.size() + surface[r].size());
       for (const Vec3& v : surface[r]) {
         ring.push_back({v.x(), v.y()});
         f.heights.push_back(v.z() * unit_);

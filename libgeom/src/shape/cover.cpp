@@ -72,6 +72,11 @@ class Slabs {
     }
     std::sort(levels_.begin(), levels_.end());
     levels_.erase(std::unique(levels_.begin(), levels_.end()), levels_.end());
+    const std::size_t few = std::min<std::size_t>(corners, 16);  // beside each other in a slab
+    begun_.reserve(few);
+    ranges_.reserve(2 * few);
+    across_.reserve(few);
+    rectangles_.reserve(few);
   }
 
   // Slabs that end at a corner's level where they reach one. Ends early, with `most` or more
@@ -389,16 +394,16 @@ std::vector<Rectangle> cover(const Polygon& polygon, double slack) {
   bool is_turned = false;
   for (const bool turn : {false, true}) {
     Slabs slabs(turn ? turned : polygon, slack);
-    const auto consider = [&](const std::vector<Rectangle>& other) {
-      if (other.size() >= most) return;
-      best = other;
-      most = best.size();
+    std::vector<Rectangle> to_corners = slabs.cover_to_corners(most);
+    most = std::min(most, to_corners.size());
+    std::vector<Rectangle> far = most > 1 ? slabs.cover_far(to_corners, most) : to_corners;
+    for (std::vector<Rectangle>* other : {&to_corners, &far}) {
+      if (!best.empty() && other->size() >= best.size()) continue;
+      best = std::move(*other);
       is_turned = turn;
-    };
-    const std::vector<Rectangle> to_corners = slabs.cover_to_corners(most);
-    consider(to_corners);
+    }
+    most = best.size();
     if (most <= 1) break;
-    consider(slabs.cover_far(to_corners, most));
   }
   if (is_turned) {
     for (Rectangle& r : best) {

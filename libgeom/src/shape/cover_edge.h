@@ -80,10 +80,11 @@ struct CoverEdge {
 // How often each ring turns around a point: the edges to one side of it, counted.
 class Winding {
  public:
-  explicit Winding(std::size_t rings) : turns_(rings) {}
+  explicit Winding(std::size_t rings) : hole_turns_(rings - 1) {}
 
   void clear() {
-    if (counted_) std::fill(turns_.begin(), turns_.end(), 0);
+    if (counted_) std::fill(hole_turns_.begin(), hole_turns_.end(), 0);
+    turns_ = 0;
     holes_ = 0;
     counted_ = false;
   }
@@ -92,18 +93,23 @@ class Winding {
   void take_back(const CoverEdge& edge) { turn(edge, -edge.turn); }  // one that was counted
 
   // Within the outer ring, and in no hole.
-  bool inside() const { return turns_[0] != 0 && holes_ == 0; }
+  bool inside() const { return turns_ != 0 && holes_ == 0; }
 
  private:
   void turn(const CoverEdge& edge, int by) {
     counted_ = true;
-    int& turns = turns_[static_cast<std::size_t>(edge.ring)];
+    if (edge.ring == 0) {
+      turns_ += by;
+      return;
+    }
+    int& turns = hole_turns_[static_cast<std::size_t>(edge.ring) - 1];
     const bool around = turns != 0;
     turns += by;
-    if (edge.ring != 0 && around != (turns != 0)) around ? --holes_ : ++holes_;
+    if (around != (turns != 0)) around ? --holes_ : ++holes_;
   }
 
-  std::vector<int> turns_;
+  int turns_ = 0;  // of the outer ring
+  std::vector<int> hole_turns_;
   int holes_ = 0;  // that turn around it
   bool counted_ = false;
 };

@@ -87,6 +87,7 @@ namespace {
 // What of a convex ring has x between the two, which both cross it or bound it.
 std::vector<Vec2> stretch(const std::vector<Vec2>& ring, double from, double to) {
   std::vector<Vec2> out;
+  out.reserve(ring.size() + 4);
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vec2& a = ring[i];
     const Vec2& b = ring[i + 1 < ring.size() ? i + 1 : 0];
@@ -117,8 +118,9 @@ std::vector<Rectangle> pieces_along_x(const Polygon& polygon, double slack) {
   }
   constexpr double kMostPieces = 1e5;
   const double least = std::max(2.0, std::ceil(lean / slack));
+  std::vector<Rectangle> out;
   for (double count = least; count <= std::min(least + 2, kMostPieces); ++count) {
-    std::vector<Rectangle> out;
+    out.clear();
     double begin = from;
     for (double i = 1; i <= count; ++i) {
       const double end = i < count ? from + i / count * (to - from) : to;
