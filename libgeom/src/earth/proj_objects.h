@@ -30,6 +30,7 @@ struct ProjReference::Impl {
   // To longitude and latitude, once it was searched; null where there is none.
   bool searched = false;
   ProjObject to_places;
+  bool chooses = false;  // among several operations, for each point
 };
 
 }  // namespace geom

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -11,6 +12,22 @@
 #include "proj_objects.h"
 
 namespace geom {
+namespace {
+
+constexpr double kSame =
+    0.01;  // metres between a point and where it is after the way back and there
+constexpr double kSameDegrees = 1e-7;
+
+// An operation as a pipeline that more steps may follow: points pass through PJs one by one, and
+// each costs. Empty where PROJ chooses among several operations for each point.
+std::string steps_of(PJ_CONTEXT* context, const PJ* operation) {
+  const char* const text = proj().text_of(context, operation, PJ_PROJ_5, nullptr);
+  if (!text) return "";
+  const std::string steps = text;
+  return steps.starts_with("+proj=pipeline") ? steps : "+proj=pipeline +step " + steps;
+}
+
+}  // namespace
 
 struct ProjWay::Impl {
   std::shared_ptr<ProjReference::Impl> from;
@@ -47,24 +64,12 @@ std::optional<ProjWay> ProjWay::to_places(const ProjReference& from) {
     const ProjObject way(
         earth ? proj().way(context, known.plane.get(), earth.get(), nullptr, options) : nullptr);
     if (way) known.to_places.reset(proj().normalize(context, way.get()));
+    known.chooses = known.to_places && steps_of(context, known.to_places.get()).empty();
   }
   known.searched = true;
   if (!known.to_places) return std::nullopt;
   return ProjWay(std::make_unique<Impl>(Impl{from.impl_}));
 }
-
-namespace {
-
-// An operation as a pipeline that more steps may follow: points pass through PJs one by one, and
-// each costs. Empty where PROJ chooses among several operations for each point.
-std::string steps_of(PJ_CONTEXT* context, const PJ* operation) {
-  const char* const text = proj().text_of(context, operation, PJ_PROJ_5, nullptr);
-  if (!text) return "";
-  const std::string steps = text;
-  return steps.starts_with("+proj=pipeline") ? steps : "+proj=pipeline +step " + steps;
-}
-
-}  // namespace
 
 std::optional<ProjWay> ProjWay::to_plane(const ProjReference& from, const GeodeticOrigin& origin) {
   std::optional<ProjWay> out = to_places(from);
@@ -90,9 +95,19 @@ void ProjWay::forward(double* x, std::size_t count, std::size_t stride) const {
   impl_->convert(x, count, stride, PJ_FWD);
 }
 
+// Where PROJ chooses among several operations for each point, it may choose another one for the way
+// back than for the way there, near the edge of the areas that these are meant for.
 void ProjWay::back(std::span<Vec2> points) const {
-  if (!points.empty()) {
-    impl_->convert(points.data()->data(), points.size(), sizeof(Vec2), PJ_INV);
+  if (points.empty()) return;
+  const std::vector<Vec2> before(points.begin(), points.end());
+  impl_->convert(points.data()->data(), points.size(), sizeof(Vec2), PJ_INV);
+  if (!impl_->from->chooses) return;
+  std::vector<Vec2> again(points.begin(), points.end());
+  forward(again);
+  const bool metres = impl_->joined || impl_->plane;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if ((again[i] - before[i]).norm() <= (metres ? kSame : kSameDegrees)) continue;
+    points[i].setConstant(std::numeric_limits<double>::infinity());
   }
 }
 

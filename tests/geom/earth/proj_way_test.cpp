@@ -101,6 +101,35 @@ TEST(ProjWay, ConvertsEachPointAsIfItWereAlone) {
   }
 }
 
+// Old datums have several transformations, and the areas of these meet within the rectangles.
+TEST(ProjWay, TheWayBackIsTheWayThereOrNone) {
+  int none = 0;
+  int same = 0;
+  for (const char* system : {"EPSG:4267", "EPSG:4408", "EPSG:4230"}) {
+    for (const auto& [latitude, longitude] :
+         {std::pair(49.0, -95.0), {60.0, -120.0}, {42.0, -141.0}, {47.0, 2.0}, {62.0, 5.0}}) {
+      const auto way = to_plane(system, {latitude, longitude, 0});
+      if (!way) continue;
+      std::vector<Vec2> points;
+      for (int i = -60; i <= 60; ++i) {
+        for (int k = -60; k <= 60; ++k) points.emplace_back(i * 5000.0 + 1, k * 5000.0 + 1);
+      }
+      std::vector<Vec2> there = points;
+      way->back(there);
+      std::vector<Vec2> again = there;
+      way->forward(again);
+      for (std::size_t n = 0; n < points.size(); ++n) {
+        none += !there[n].allFinite();
+        if (!there[n].allFinite()) continue;
+        ++same;
+        EXPECT_LT((again[n] - points[n]).norm(), 0.011) << system;
+      }
+    }
+  }
+  EXPECT_GT(none, 0);
+  EXPECT_GT(same, 1000);
+}
+
 TEST(ProjWay, PointsThatAreNowhereBecomeInfinite) {
   const auto way = to_plane("EPSG:32633", {48, 15, 0});
   std::vector<Vec2> points{{500000, 5300000}, {1e300, 0}, {500000, 5300000}};

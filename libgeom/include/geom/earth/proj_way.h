@@ -36,8 +36,9 @@ class ProjWay {
   ProjWay(ProjWay&&) noexcept;
   ProjWay& operator=(ProjWay&&) noexcept;
 
-  // In place. Points that PROJ cannot convert become infinite. The second form is for `count`
-  // points `stride` bytes apart, whose y follows their x.
+  // In place. Points that PROJ cannot convert become infinite; on the way back, so do those that
+  // another way leads from than to (more than 1 cm away), near the edge of a transformation's area.
+  // The second form is for `count` points `stride` bytes apart, whose y follows their x.
   void forward(std::span<Vec2> points) const;
   void forward(double* x, std::size_t count, std::size_t stride) const;
   void back(std::span<Vec2> points) const;
