@@ -36,6 +36,12 @@ void add_left_out(const Px4Flight& flight, std::vector<std::string>& out) {
   add(flight.not_known, "the vehicle did not know where it was");
   add(flight.nowhere, "the vehicle did not know where on Earth that is, or it is far from the map");
   add(flight.back, "their time does not grow");
+  if (flight.left_out_at_end > 0 && !flight.log.samples.empty()) {
+    out.push_back(fmt::format(
+        "{} of these after the last row: where the flight went then is not known, and the last row "
+        "says cut",
+        flight.left_out_at_end));
+  }
 }
 
 void add_losses(const Px4Flight& flight, std::vector<std::string>& out) {
@@ -105,14 +111,21 @@ std::string told(const Px4Flight& flight, std::string_view origin, std::string_v
 
 nlohmann::ordered_json stats(const Px4Flight& flight) {
   const UlogSummary& log = flight.summary;
-  nlohmann::ordered_json out = {
-      {"topic", flight.topic},           {"rows", flight.log.samples.size()},
-      {"positions", flight.positions},   {"not_known", flight.not_known},
-      {"nowhere", flight.nowhere},       {"back", flight.back},
-      {"resets", flight.resets},         {"largest_reset", flight.largest_reset},
-      {"version", log.version},          {"messages", log.messages},
-      {"unknown_messages", log.unknown}, {"torn_messages", log.torn},
-      {"dropouts", log.dropouts},        {"dropout_s", log.dropout_seconds}};
+  nlohmann::ordered_json out = {{"topic", flight.topic},
+                                {"rows", flight.log.samples.size()},
+                                {"positions", flight.positions},
+                                {"not_known", flight.not_known},
+                                {"nowhere", flight.nowhere},
+                                {"back", flight.back},
+                                {"left_out_at_end", flight.left_out_at_end},
+                                {"resets", flight.resets},
+                                {"largest_reset", flight.largest_reset},
+                                {"version", log.version},
+                                {"messages", log.messages},
+                                {"unknown_messages", log.unknown},
+                                {"torn_messages", log.torn},
+                                {"dropouts", log.dropouts},
+                                {"dropout_s", log.dropout_seconds}};
   const auto add = [&](const char* key, const auto& value) {
     if (value) out[key] = *value;
   };

@@ -22,7 +22,8 @@ constexpr std::array<std::string_view, 9> kTopics = {
     "vehicle_angular_velocity", "trajectory_setpoint",     "vehicle_local_position_setpoint",
     "battery_status",           "actuator_motors",         "vehicle_land_detected"};
 
-constexpr double kLatest = 1e9;   // s: what a flight log may hold
+constexpr double kLatest = 1e9;                // s: what a flight log may hold
+constexpr std::uint64_t kSetBack = 1'000'000;  // microseconds by which a clock was set back
 constexpr double kStanding = 10;  // s before a take-off in which the vehicle stood on the ground
 
 Vec3 enu_of(const Vec3& ned) { return {ned.y(), ned.x(), -ned.z()}; }
@@ -96,20 +97,24 @@ class Track {
     asked_ = options.over.has_value();
   }
 
-  void skip() { ++positions_, ++not_known_; }
+  void skip() {
+    ++positions_;
+    leave_out(not_known_);
+  }
 
   void add(const Position& position, const Px4State& state) {
     ++positions_;
-    if (!known_on_map(position)) return void(++nowhere_);
+    if (!known_on_map(position)) return leave_out(nowhere_);
     if (samples_.empty()) {
       begin(position);
-    } else if (position.time <= last_ || seconds(position.time - first_) > kLatest) {
-      return void(++back_);
+    } else if (!goes_on(position.time)) {
+      return leave_out(back_);
     }
     FlightSample sample = sample_of(position, state);
     sample.time = seconds(position.time - first_);
     count_reset(position, sample);
     last_ = position.time;
+    left_out_since_ = 0;
     samples_.push_back(sample);
   }
 
@@ -123,12 +128,22 @@ class Track {
     out.not_known = not_known_;
     out.nowhere = nowhere_;
     out.back = back_;
+    out.left_out_at_end = left_out_since_;
     out.reference = reference_;
     out.resets = resets_;
     out.largest_reset = largest_reset_;
   }
 
  private:
+  void leave_out(std::size_t& why) { ++why, ++left_out_since_; }
+
+  // Whether the time grows. Where a clock was set back, later times say nothing about how long
+  // after the last row they are.
+  bool goes_on(std::uint64_t time) {
+    set_back_ = set_back_ || time + kSetBack < last_;
+    return !set_back_ && time > last_ && seconds(time - first_) <= kLatest;
+  }
+
   bool known_on_map(const Position& position) const {
     if (!placing_) return true;
     return position.reference && placing_->is_near(*position.reference);
@@ -195,6 +210,8 @@ class Track {
   std::size_t not_known_ = 0;
   std::size_t nowhere_ = 0;
   std::size_t back_ = 0;
+  std::size_t left_out_since_ = 0;  // the last row
+  bool set_back_ = false;
   std::optional<GeodeticPlace> reference_;
   std::array<std::optional<double>, 2> counters_;
   std::size_t resets_ = 0;
@@ -269,7 +286,7 @@ class Collector {
       out_.takeoff = seconds(*takeoff_ - track.first());
     }
     std::move(track).give(out_);
-    out_.log.cut = out_.summary.cut_at.has_value();
+    out_.log.cut = out_.summary.cut_at.has_value() || out_.left_out_at_end > 0;
     return std::move(out_);
   }
 

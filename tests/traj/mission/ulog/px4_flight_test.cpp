@@ -218,6 +218,27 @@ TEST(Px4Flight, SaysWhereTheLogBreaksOff) {
   EXPECT_EQ(log.read().log.samples.size(), 1u);
 }
 
+TEST(Px4Flight, IsCutWherePositionsAtItsEndAreLeftOut) {
+  const auto log = [] { return Log().local(1, {0, 0, 0}).local(2, {0, 0, 0}); };
+  const Px4Flight lost = log().local(3, {9, 0, 0}, false).read();
+  EXPECT_TRUE(lost.log.cut);
+  EXPECT_EQ(lost.left_out_at_end, 1u);
+  EXPECT_TRUE(log().local(3, {kNan, 0, 0}).read().log.cut);
+  EXPECT_TRUE(log().local(1.5, {9, 0, 0}).read().log.cut);
+  EXPECT_FALSE(log().local(3, {9, 0, 0}, false).local(4, {0, 0, 0}).read().log.cut);
+}
+
+TEST(Px4Flight, EndsWhereItsClockIsSetBack) {
+  Log log;
+  log.local(10, {0, 0, 0}).local(11, {0, 0, 0});
+  // 8 s of the flight, and then a time that seems to be soon after the last row.
+  log.local(3, {9, 0, 0}).local(11.5, {0, 0, 0});
+  const Px4Flight flight = log.read();
+  EXPECT_EQ(flight.log.samples.size(), 2u);
+  EXPECT_EQ(flight.left_out_at_end, 2u);
+  EXPECT_TRUE(flight.log.cut);
+}
+
 TEST(Px4Flight, HasNoSamplesWithoutPositions) {
   EXPECT_TRUE(Log().read().log.samples.empty());
   EXPECT_EQ(Log().local(0, {0, 0, 0}, false).read().not_known, 1u);

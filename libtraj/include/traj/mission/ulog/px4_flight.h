@@ -32,7 +32,8 @@ struct Px4Flight {
   std::size_t positions = 0;  // that the topic has
   std::size_t not_known = 0;  // of these, left out: the vehicle did not know where it was
   std::size_t nowhere = 0;    // left out: it did not know where on Earth that is, and `over` asks
-  std::size_t back = 0;       // left out: the time did not grow
+  std::size_t back = 0;       // left out: the time did not grow, or its clock was set back by 1 s
+  std::size_t left_out_at_end = 0;  // of all these, the ones after the last sample: the log is cut
 
   std::optional<geom::GeodeticPlace> reference;  // the first, height above the sea
   std::optional<double> sea_level;               // m above the ellipsoid, as the log has it
