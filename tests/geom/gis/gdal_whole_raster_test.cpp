@@ -16,7 +16,7 @@ namespace {
 using support::refusal_of;
 using support::says;
 
-std::string refusal(const std::string& path) {
+std::string raster_refusal(const std::string& path) {
   return refusal_of([&] { read_raster(path, "r", {}); });
 }
 
@@ -30,9 +30,9 @@ void add_page(const std::string& path) {
 
 TEST(RequireWholeRaster, RefusesAFileOfSeveralPictures) {
   const MemoryRaster raster({});
-  EXPECT_EQ(refusal(raster.path()), "");
+  EXPECT_EQ(raster_refusal(raster.path()), "");
   add_page(raster.path());
-  EXPECT_TRUE(says(refusal(raster.path()), "r: expected one raster in the file, found 2"));
+  EXPECT_TRUE(says(raster_refusal(raster.path()), "r: expected one raster in the file, found 2"));
   EXPECT_TRUE(says(refusal_of([&] { Terrain(raster.path(), "r", {}); }), "found 2"));
   EXPECT_TRUE(says(refusal_of([&] {
                      people_within(raster.path(), {49.6, 8.9}, {49.7, 9.1});
@@ -46,7 +46,7 @@ TEST(RequireWholeRaster, TakesOverviewsForNoPictures) {
   const int levels[] = {2};
   made->BuildOverviews("NEAREST", 1, levels, 0, nullptr, nullptr, nullptr);
   GDALClose(made);
-  EXPECT_EQ(refusal(raster.path()), "");
+  EXPECT_EQ(raster_refusal(raster.path()), "");
 }
 
 // A mosaic of 8 x 4 cells, of which the raster covers `columns`.
@@ -65,9 +65,9 @@ std::string mosaic(const MemoryRaster& raster, int columns, const std::string& m
 TEST(RequireWholeRaster, RefusesAMosaicWithGaps) {
   const MemoryRaster raster({.cell = [](int, int) { return 7.0; }});
   const MemoryFile gaps("gaps.vrt", mosaic(raster, 4, ""));
-  EXPECT_TRUE(says(refusal(gaps.path()), "found none, in a mosaic with gaps"));
+  EXPECT_TRUE(says(raster_refusal(gaps.path()), "found none, in a mosaic with gaps"));
   const MemoryFile whole("whole.vrt", mosaic(raster, 8, ""));
-  EXPECT_EQ(refusal(whole.path()), "");
+  EXPECT_EQ(raster_refusal(whole.path()), "");
   const MemoryFile known("known.vrt", mosaic(raster, 4, "<NoDataValue>-9999</NoDataValue>"));
   Source source = read_raster(known.path(), "r", {});
   EXPECT_EQ(source.counts["cells_without_data"], 16u);
@@ -76,7 +76,7 @@ TEST(RequireWholeRaster, RefusesAMosaicWithGaps) {
 // GDAL gives 0 for the point that is not there.
 TEST(RequireWholeRaster, RefusesATableOfPoints) {
   const MemoryFile points("points.xyz", "0 0 5\n5 0 5\n10 0 5\n0 5 5\n10 5 5\n0 10 5\n5 10 5\n");
-  EXPECT_TRUE(says(refusal(points.path()), "may not keep numbers or holes (XYZ)"));
+  EXPECT_TRUE(says(raster_refusal(points.path()), "may not keep numbers or holes (XYZ)"));
 }
 
 TEST(RequireWholeRaster, RefusesColoursOfAPalette) {
@@ -84,7 +84,7 @@ TEST(RequireWholeRaster, RefusesColoursOfAPalette) {
       {},
       [](GDALDataset& made) { made.GetRasterBand(1)->SetColorInterpretation(GCI_PaletteIndex); },
       "palette.tif");
-  EXPECT_TRUE(says(refusal(raster.path()), "expected numbers, found a picture"));
+  EXPECT_TRUE(says(raster_refusal(raster.path()), "expected numbers, found a picture"));
 }
 
 // GDAL takes 0 for a word, and passes over what follows.
@@ -92,7 +92,7 @@ TEST(RequireWholeRaster, LooksAtEachWordOfAnAsciiGrid) {
   const std::string head = "ncols 2\nNROWS 2\nxllcorner 0,5\nyllcorner 0\ncellsize 5\n";
   const auto said = [&](const std::string& cells) {
     const MemoryFile grid("grid.asc", head + cells);
-    return refusal(grid.path());
+    return raster_refusal(grid.path());
   };
   for (const char* cells :
        {"1 2\n3 4\n", "1 2 3 4", "\r\n1\t2,5\r\n-3e1 nan\r\n", "NODATA_value -9999\n1 2 3 4"}) {

@@ -32,7 +32,7 @@ with tempfile.TemporaryDirectory() as name:
 
     shutil.copy(tools / "skyway-bench", folder)
     done = bench(folder, folder, "--method", "rrt-connect-ompl")
-    assert done.returncode > 0 and "skyway_ompl.so" in done.stderr, done
+    assert done.returncode > 0 and "libskyway_ompl.so" in done.stderr, done
     assert not (folder / "report.json").exists()
     done = bench(folder, folder, "--method", "auto")
     assert done.returncode == 0, done.stderr

@@ -29,7 +29,7 @@ constexpr const char* kFormats[] = {"kml",       "geojson", "gltf",     "paths-c
 // A tower, and room around it.
 geom::CollisionScene tower() {
   return testing::scene_of({{{-5, -5, 0}, {5, 5, 60}}},
-                           {Vec3(-500, -500, -10), Vec3(500, 500, 200)});
+                           {Vec3(-500, -500, 0), Vec3(500, 500, 200)});
 }
 
 MissionReading reading() {
