@@ -69,7 +69,9 @@ std::string remedy(const geom::CollisionScene& scene, const MissionTask& task,
   if (result.reason == Reason::takeoff) {
     return "begin the path higher, or say where the ground is (--ground)";
   }
-  if (result.reason == Reason::takeoff_ground) return "say where the ground is (--ground)";
+  if (result.reason == Reason::takeoff_ground) {
+    return "say where the ground is (--ground), or put the ground into the map (skyway-map join)";
+  }
   if (result.reason == Reason::landing) {
     return "end the path over level ground, or end the mission hovering (--hover)";
   }

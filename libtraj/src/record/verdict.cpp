@@ -377,7 +377,7 @@ std::string advice_for(const ReportRecord& report) {
     case Reason::takeoff:
       return "begin higher, or say where the ground is (--ground)";
     case Reason::takeoff_ground:
-      return "say where the ground is (--ground)";
+      return "say where the ground is (--ground), or put the ground into the map (skyway-map join)";
     case Reason::landing:
       return "end over level ground";
     case Reason::ceiling:
