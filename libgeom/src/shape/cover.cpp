@@ -59,9 +59,9 @@ class Slabs {
     std::size_t corners = polygon.outer.size();
     for (const auto& hole : polygon.holes) corners += hole.size();
     edges_.reserve(corners);
-    add(polygon.outer, 0);
+    add_edges(polygon.outer, 0, edges_);
     for (std::size_t i = 0; i < polygon.holes.size(); ++i) {
-      add(polygon.holes[i], static_cast<int>(i) + 1);
+      add_edges(polygon.holes[i], static_cast<int>(i) + 1, edges_);
     }
     std::stable_sort(edges_.begin(), edges_.end(),
                      [](const CoverEdge& a, const CoverEdge& b) { return a.low.y() < b.low.y(); });
@@ -120,15 +120,6 @@ class Slabs {
     }
     add_flat_edges(out);
     return out;
-  }
-
-  void add(const std::vector<Vec2>& ring, int index) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Vec2& a = ring[i];
-      const Vec2& b = ring[i + 1 < ring.size() ? i + 1 : 0];
-      const bool up = a.y() <= b.y();
-      edges_.push_back({up ? a : b, up ? b : a, index, up ? 1 : -1});
-    }
   }
 
   // Edges along the slabs bound them and are covered with what they bound; spurs are not.

@@ -77,6 +77,16 @@ struct CoverEdge {
   }
 };
 
+// Adds the edges of a ring. Number 0 is the outer one.
+inline void add_edges(const std::vector<Vec2>& ring, int number, std::vector<CoverEdge>& to) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2& a = ring[i];
+    const Vec2& b = ring[i + 1 < ring.size() ? i + 1 : 0];
+    const bool up = a.y() <= b.y();
+    to.push_back({up ? a : b, up ? b : a, number, up ? 1 : -1});
+  }
+}
+
 // How often each ring turns around a point: the edges to one side of it, counted.
 class Winding {
  public:

@@ -55,6 +55,13 @@ std::string limit_fault(const LimitKind& kind, const CheckResult& result, const 
                      held ? " of " + geom::shown(kind, *held) : "");
 }
 
+// `high`: metres above what the map has there.
+std::string takeoff_ground_fault(double high) {
+  return high > 0 ? fmt::format("the take-off is in the air, {:.3g} m above what the map has there",
+                                high)
+                  : fmt::format("the take-off is {:.3g} m below the map", -high);
+}
+
 std::string landing_fault(double worst) {
   if (worst == 0) return "the vehicle lands on an edge, not on level ground";
   return fmt::format("the vehicle lands on ground {:.3g} m {} than the file says", std::abs(worst),
@@ -333,11 +340,7 @@ std::string fault_in_words(const CheckResult& result, const geom::BoxMap& map, c
       return fmt::format("the vehicle begins {:.3g} m above the ground that it takes off from",
                          worst);
     case Reason::takeoff_ground:
-      return worst > 0 ? fmt::format(
-                             "the take-off is in the air, {:.3g} m above what stands or lies "
-                             "there in the map",
-                             worst)
-                       : fmt::format("the take-off is {:.3g} m below the map", -worst);
+      return takeoff_ground_fault(worst);
     case Reason::landing:
       return landing_fault(worst);
     case Reason::ceiling:

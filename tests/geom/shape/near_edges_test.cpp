@@ -16,12 +16,7 @@ std::vector<CoverEdge> random_edges(support::Random& random, int rings) {
   for (int ring = 0; ring < rings; ++ring) {
     std::vector<Vec2> corners(3 + random.below(9));
     for (Vec2& c : corners) c = {random.stepped(-9, 9, 0.5), random.stepped(-9, 9, 0.5)};
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const Vec2& a = corners[i];
-      const Vec2& b = corners[(i + 1) % corners.size()];
-      const bool up = a.y() <= b.y();
-      out.push_back({up ? a : b, up ? b : a, ring, up ? 1 : -1});
-    }
+    add_edges(corners, ring, out);
   }
   return out;
 }

@@ -16,9 +16,9 @@ class Gauged {
  public:
   Gauged(Polygon polygon, double slack)
       : polygon_(std::move(polygon)), gauge_(slack, polygon_.holes.size() + 1) {
-    add(polygon_.outer, 0);
+    add_edges(polygon_.outer, 0, edges_);
     for (std::size_t i = 0; i < polygon_.holes.size(); ++i) {
-      add(polygon_.holes[i], static_cast<int>(i) + 1);
+      add_edges(polygon_.holes[i], static_cast<int>(i) + 1, edges_);
     }
     std::sort(edges_.begin(), edges_.end(),
               [](const CoverEdge& a, const CoverEdge& b) { return a.low.y() < b.low.y(); });
@@ -36,20 +36,19 @@ class Gauged {
   }
 
   bool allows(const Rectangle& r) { return gauge_.allows(r); }
+  // Of the slab that was looked at last, up to y1: once by the corner that is followed from `least`
+  // on, and once by all edges.
+  std::pair<bool, bool> corner_refuses(double least, double y1) {
+    gauge_.follow_corner(least);
+    const bool followed = gauge_.corner_refuses(y1);
+    gauge_.reach_to(y1);
+    return {followed, gauge_.refuses_again()};
+  }
   bool refuses_further(double rise) { return gauge_.refuses_further(rise); }
 
   double furthest(const Rectangle& r) const { return oracle::furthest_outside(polygon_, r, 1e-4); }
 
  private:
-  void add(const std::vector<Vec2>& ring, int index) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Vec2& a = ring[i];
-      const Vec2& b = ring[(i + 1) % ring.size()];
-      const bool up = a.y() <= b.y();
-      edges_.push_back({up ? a : b, up ? b : a, index, up ? 1 : -1});
-    }
-  }
-
   Polygon polygon_;
   std::vector<CoverEdge> edges_;
   SlackGauge gauge_;
@@ -154,6 +153,28 @@ TEST(SlackGauge, RefusesFurtherWhatItRefusesAtEachHeight) {
     }
   }
   EXPECT_GT(further, 100u);
+}
+
+TEST(SlackGauge, TheCornerThatIsFollowedSaysWhatAllEdgesSay) {
+  support::Random random(9);
+  int refused = 0;
+  int allowed = 0;
+  for (int k = 0; k < 4000; ++k) {
+    const double away = k % 2 == 0 ? 0 : 9e7;
+    Polygon polygon;
+    for (int i = 0; i < 3 + k % 6; ++i) {
+      polygon.outer.push_back({away + random.uniform(0, 20), away + random.uniform(0, 20)});
+    }
+    Gauged gauged(polygon, 1);
+    const double y0 = away + random.uniform(0, 18);
+    const double y1 = y0 + random.uniform(0.5, 5);
+    if (gauged.clear_case(y0, y1) != false) continue;
+    const auto [followed, all] = gauged.corner_refuses(y0 + 1e-3, random.uniform(y0 + 1e-3, y1));
+    ASSERT_EQ(followed, all) << k;
+    ++(all ? refused : allowed);
+  }
+  EXPECT_GT(refused, 100);
+  EXPECT_GT(allowed, 100);
 }
 
 }  // namespace

@@ -1,36 +1,26 @@
 #include "traj/mission/dji/dji_mission.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "mission/dji/surface_heights.h"
 #include "support/reading.h"
 #include "traj/flight/vehicle_profile.h"
+#include "traj/mission/dji/dji_flight_examples.h"
 #include "traj/mission/mavlink/examples.h"
 
 namespace traj {
 namespace {
 
+using testing::dji_corner;
+using testing::dji_example;
+using testing::fly;
+using testing::kEast;
 using testing::kFrame;
+using testing::kOrigin;
 using testing::kPoints;
-
-constexpr geom::GeodeticOrigin kOrigin{47, 8, 390};
-
-// Waypoints about 76 m apart, 30 and 35 m above the take-off, which is 100 m south of the first.
-DjiMission example() {
-  DjiMission m;
-  m.transit_speed = 9;
-  m.takeoff = geom::GeodeticPlace{46.9991, 8, 400};
-  m.waylines = {{0, DjiHeights::above_takeoff, {{47, 8, 30, 4, 1.5, 7}, {47, 8.001, 35, 6, 0, 8}}}};
-  return m;
-}
-
-FlownDji fly(const DjiMission& mission, const DjiRules& rules = {}) {
-  return flown_dji(mission, {kOrigin, 0}, rules, "m.kmz");
-}
+using testing::kSouth;
 
 void expect_path(const FlownDji& flown, const geom::Polyline& expected) {
   ASSERT_EQ(flown.path.size(), expected.size());
@@ -40,12 +30,8 @@ void expect_path(const FlownDji& flown, const geom::Polyline& expected) {
   }
 }
 
-// Metres of the example's places.
-constexpr double kSouth = -100.06;
-constexpr double kEast = 76.06;
-
 TEST(FlownDji, RisesToTheFirstWaypointGoesThereAndOn) {
-  const FlownDji flown = fly(example());
+  const FlownDji flown = fly(dji_example());
   expect_path(flown, {{0, kSouth, 40}, {0, 0, 40}, {kEast, 0, 45}});
   EXPECT_EQ(flown.hold, (std::vector<double>{0, 1.5, 0}));
   EXPECT_EQ(flown.ends.takeoff_from, 10);
@@ -78,7 +64,7 @@ TEST(DjiAircraft, IsAVehicleThatIsKnownByNameIfItsAirframeIs) {
 }
 
 TEST(FlownDji, ClimbsNoFasterThanTheAircraftCan) {
-  DjiMission m = example();
+  DjiMission m = dji_example();
   EXPECT_EQ(fly(m).climb, 6);
   m.aircraft = {99, 1};
   EXPECT_EQ(fly(m).climb, 10);
@@ -89,7 +75,7 @@ TEST(FlownDji, ClimbsNoFasterThanTheAircraftCan) {
 
 TEST(FlownDji, CountsFromTheGroundThatIsGivenWhereTheMapsHeightIsNotKnown) {
   const MissionFrame unknown{{47, 8, 0}, 0, false};
-  DjiMission m = example();
+  DjiMission m = dji_example();
   const auto refusal = [&](const DjiRules& rules) {
     return support::refusal_of([&] { flown_dji(m, unknown, rules, "m.kmz"); });
   };
@@ -107,7 +93,7 @@ TEST(FlownDji, CountsFromTheGroundThatIsGivenWhereTheMapsHeightIsNotKnown) {
 }
 
 TEST(FlownDji, RisesToTheSecurityHeightFirst) {
-  DjiMission m = example();
+  DjiMission m = dji_example();
   m.security_height = 50;
   expect_path(fly(m), {{0, kSouth, 60}, {0, 0, 60}, {0, 0, 40}, {kEast, 0, 45}});
   m.approach = DjiApproach::point_to_point;
@@ -117,7 +103,7 @@ TEST(FlownDji, RisesToTheSecurityHeightFirst) {
 }
 
 TEST(FlownDji, TakesOffBelowTheFirstWaypointWhereNothingElseIsSaid) {
-  DjiMission m = example();
+  DjiMission m = dji_example();
   m.takeoff.reset();
   EXPECT_EQ(support::refusal_of([&] { fly(m); }),
             "m.kmz:7: heights count from the take-off, and the file does not say where that is: "
@@ -131,13 +117,13 @@ TEST(FlownDji, TakesOffBelowTheFirstWaypointWhereNothingElseIsSaid) {
 }
 
 TEST(FlownDji, TheGroundThatIsGivenGoesBeforeTheFiles) {
-  const FlownDji flown = fly(example(), {12, {}});
+  const FlownDji flown = fly(dji_example(), {12, {}});
   EXPECT_EQ(flown.ends.takeoff_from, 12);
   expect_path(flown, {{0, kSouth, 42}, {0, 0, 42}, {kEast, 0, 47}});
 }
 
 TEST(FlownDji, HeightsAboveTheEllipsoidDoNotCountFromTheTakeOff) {
-  DjiMission m = example();
+  DjiMission m = dji_example();
   m.waylines[0].heights = DjiHeights::ellipsoid;
   m.waylines[0].waypoints[0].height = 440;
   m.waylines[0].waypoints[1].height = 450;
@@ -145,7 +131,7 @@ TEST(FlownDji, HeightsAboveTheEllipsoidDoNotCountFromTheTakeOff) {
 }
 
 TEST(FlownDji, GoesOnFromWaylineToWayline) {
-  DjiMission m = example();
+  DjiMission m = dji_example();
   m.waylines.push_back({1, DjiHeights::above_takeoff, {{47, 8, 60, 4, 0, 9}}});
   m.waylines.push_back({2, DjiHeights::above_takeoff, {{47, 8.001, 20, 4, 0, 9}}});
   expect_path(fly(m), {{0, kSouth, 40},
@@ -160,7 +146,7 @@ TEST(FlownDji, GoesOnFromWaylineToWayline) {
 }
 
 TEST(FlownDji, ReturnsAtTheHeightThatTheFileSays) {
-  DjiMission m = example();
+  DjiMission m = dji_example();
   m.finish = DjiFinish::go_home;
   EXPECT_TRUE(fly(m).returns) << "no height";
   m.return_height = 60;
@@ -176,7 +162,7 @@ TEST(FlownDji, ReturnsAtTheHeightThatTheFileSays) {
 }
 
 TEST(FlownDji, ReturnsAtTheHeightThatIsGivenWhereTheFileSaysNone) {
-  DjiMission m = example();
+  DjiMission m = dji_example();
   m.finish = DjiFinish::go_home;
   const FlownDji flown = fly(m, {{}, 60});
   EXPECT_FALSE(flown.returns);
@@ -186,7 +172,7 @@ TEST(FlownDji, ReturnsAtTheHeightThatIsGivenWhereTheFileSaysNone) {
 }
 
 TEST(FlownDji, AReturnFromNearHomeMayRiseOrNot) {
-  DjiMission m = example();
+  DjiMission m = dji_example();
   m.finish = DjiFinish::go_home;
   m.return_height = 60;
   EXPECT_TRUE(fly(m).sweeps.empty());
@@ -204,7 +190,7 @@ TEST(FlownDji, AReturnFromNearHomeMayRiseOrNot) {
 }
 
 TEST(FlownDji, AReturnFromAboveHomeIsNotKnown) {
-  DjiMission m = example();
+  DjiMission m = dji_example();
   m.finish = DjiFinish::go_home;
   m.return_height = 60;
   m.takeoff = geom::GeodeticPlace{47, 8.0008, 400};
@@ -214,7 +200,7 @@ TEST(FlownDji, AReturnFromAboveHomeIsNotKnown) {
 }
 
 TEST(FlownDji, EachLegHasItsWaypoint) {
-  DjiMission m = example();
+  DjiMission m = dji_example();
   m.finish = DjiFinish::go_home;
   m.return_height = 60;
   m.security_height = 50;
@@ -225,16 +211,6 @@ TEST(FlownDji, EachLegHasItsWaypoint) {
                                                   {1, Manoeuvre::climb},
                                                   {1, Manoeuvre::return_home},
                                                   {1, Manoeuvre::landing}}));
-}
-
-// Three waypoints with a right angle at the second, 76 m east and 100 m north.
-DjiMission corner(DjiTurn turn, double damping, double height = 30) {
-  DjiMission m = example();
-  m.waylines[0].waypoints = {
-      {47, 8, 30, 4}, {47, 8.001, height, 4}, {47.0009, 8.001, 2 * height - 30, 4}};
-  m.waylines[0].waypoints[1].turn = turn;
-  m.waylines[0].waypoints[1].damping = damping;
-  return m;
 }
 
 void expect_hull(const FlownDji& flown, const std::vector<Vec3>& expected) {
@@ -248,13 +224,13 @@ void expect_hull(const FlownDji& flown, const std::vector<Vec3>& expected) {
 }
 
 TEST(FlownDji, ACoordinatedTurnStaysInItsTriangle) {
-  expect_hull(fly(corner(DjiTurn::early, 10)),
+  expect_hull(fly(dji_corner(DjiTurn::early, 10)),
               {{kEast - 10, 0, 40}, {kEast, 0, 40}, {kEast, 10, 40}});
-  EXPECT_TRUE(fly(corner(DjiTurn::stop, 0)).sweeps.empty());
+  EXPECT_TRUE(fly(dji_corner(DjiTurn::stop, 0)).sweeps.empty());
 }
 
 TEST(FlownDji, ATurnThroughItsWaypointMaySwingWide) {
-  const FlownDji level = fly(corner(DjiTurn::through, 10));
+  const FlownDji level = fly(dji_corner(DjiTurn::through, 10));
   expect_hull(level, {{kEast - 10, -10, 40},
                       {kEast - 10, -10, 40},
                       {kEast - 10, 10, 40},
@@ -263,7 +239,7 @@ TEST(FlownDji, ATurnThroughItsWaypointMaySwingWide) {
                       {kEast + 10, -10, 40},
                       {kEast + 10, 10, 40},
                       {kEast + 10, 10, 40}});
-  const FlownDji rising = fly(corner(DjiTurn::through, 10, 50));
+  const FlownDji rising = fly(dji_corner(DjiTurn::through, 10, 50));
   const auto& hull = rising.sweeps.at(0).hull;
   const double before = 20 * 10 / std::hypot(kEast, 20);
   const double behind = 20 * 10 / std::hypot(kSouth, 20);
@@ -272,18 +248,18 @@ TEST(FlownDji, ATurnThroughItsWaypointMaySwingWide) {
 }
 
 TEST(FlownDji, TurnsMustNotMeet) {
-  DjiMission m = corner(DjiTurn::early, 70);
+  DjiMission m = dji_corner(DjiTurn::early, 70);
   EXPECT_EQ(support::refusal_of([&] { fly(m); }), "");
   m.waylines[0].waypoints[0].damping = 7;
   m.waylines[0].waypoints[0].turn = DjiTurn::early;
   EXPECT_EQ(support::refusal_of([&] { fly(m); }),
             "m.kmz: expected turns that do not meet, found a leg of 76.06 m, of which turns take "
             "77 m (waypointTurnDampingDist)");
-  EXPECT_NE(support::refusal_of([&] { fly(corner(DjiTurn::early, 77)); }), "");
+  EXPECT_NE(support::refusal_of([&] { fly(dji_corner(DjiTurn::early, 77)); }), "");
 }
 
 TEST(FlownDji, TurnsMustNotMeetBetweenWaylinesEither) {
-  DjiMission m = corner(DjiTurn::stop, 0);
+  DjiMission m = dji_corner(DjiTurn::stop, 0);
   m.approach = DjiApproach::point_to_point;
   DjiWaypoint last{47, 8.001, 35, 6, 0, 8};
   m.waylines[0].waypoints[2] = last;
@@ -299,7 +275,7 @@ TEST(FlownDji, TurnsMustNotMeetBetweenWaylinesEither) {
 }
 
 TEST(FlownDji, TurnsAtTheFirstWaypointBeginOnTheWayThere) {
-  DjiMission m = corner(DjiTurn::stop, 0);
+  DjiMission m = dji_corner(DjiTurn::stop, 0);
   m.waylines[0].waypoints[0].turn = DjiTurn::early;
   m.waylines[0].waypoints[0].damping = 5;
   const FlownDji flown = fly(m);
@@ -309,13 +285,13 @@ TEST(FlownDji, TurnsAtTheFirstWaypointBeginOnTheWayThere) {
 }
 
 TEST(FlownDji, LandsOnWhatIsBelow) {
-  DjiMission m = example();
+  DjiMission m = dji_example();
   m.finish = DjiFinish::land;
   EXPECT_TRUE(fly(m).lands_below);
 }
 
 TEST(FlownDji, AircraftThatDoNotRiseFirstNeedAHighFirstWaypoint) {
-  DjiMission m = example();
+  DjiMission m = dji_example();
   for (const int type : {60, 89}) {
     m.aircraft.type = type;
     m.security_height = 30;
@@ -331,11 +307,11 @@ TEST(FlownDji, AircraftThatDoNotRiseFirstNeedAHighFirstWaypoint) {
 }
 
 TEST(FlownDji, PlacesFarFromTheMapAreRefused) {
-  DjiMission m = example();
+  DjiMission m = dji_example();
   m.waylines[0].waypoints[1].longitude = 151;
   EXPECT_EQ(support::refusal_of([&] { fly(m); }),
             "m.kmz:8: expected a place near the origin 47 8, found 47 151");
-  m = example();
+  m = dji_example();
   m.takeoff->latitude = -33;
   EXPECT_EQ(support::refusal_of([&] { fly(m); }),
             "m.kmz: expected a place near the origin 47 8, found -33 8");
@@ -407,176 +383,6 @@ TEST(MakeDjiMission, IsNoFasterThanFifteenMetresASecond) {
   DjiOptions options;
   options.speed = 20;
   EXPECT_EQ(make_dji_mission(kPoints, kFrame, options).transit_speed, 15);
-}
-
-// Ground that rises by 1 m per 10 m to the east of 0, known within 0.5 m, 400 m around.
-geom::GroundModel slope(geom::Axes axes = geom::Axes::enu) {
-  std::vector<double> low;
-  std::vector<double> high;
-  for (int j = 0; j < 80; ++j) {
-    for (int i = 0; i < 80; ++i) {
-      low.push_back(10 + std::max(0, (axes == geom::Axes::enu ? i : j) - 40));
-      high.push_back(low.back() + 1);
-    }
-  }
-  return {{.corner = {-400, -400}, .cell = 10, .columns = 80, .rows = 80, .hash = "sha256:slope"},
-          std::move(low),
-          std::move(high)};
-}
-
-DjiMission along_the_surface() {
-  DjiMission m = example();
-  m.waylines[0].heights = DjiHeights::above_surface;
-  return m;
-}
-
-// The heights that a leg of the path may have over a place, by its band.
-SurfaceRange held_at(const FlownDji& flown, std::size_t leg) {
-  const double band = flown.leg_band[leg - 1];
-  return {std::min(flown.path[leg - 1].z(), flown.path[leg].z()) - band,
-          std::max(flown.path[leg - 1].z(), flown.path[leg].z()) + band};
-}
-
-TEST(FlownDji, FollowsTheSurfaceWithinTheBandThatItsOperatorStates) {
-  const geom::GroundModel ground = slope();
-  const TerrainRules surface{.ground = &ground, .surface = {{20, 30}}};
-  const FlownDji flown = fly(along_the_surface(), {.surface = surface});
-  ASSERT_EQ(flown.leg_band.size() + 1, flown.path.size());
-  ASSERT_EQ(flown.legs.size(), flown.path.size());
-  ASSERT_EQ(flown.hold.size(), flown.path.size());
-  EXPECT_EQ(flown.hold[2], 1.5);
-  // Up to the security height, above the first waypoint, and into the band: 10 + 20 to 12 + 30.
-  ASSERT_GE(flown.path.size(), 3u);
-  EXPECT_LT((flown.path[0] - Vec3(0, kSouth, 30)).norm(), 0.1);
-  EXPECT_LT((flown.path[1] - Vec3(0, 0, 30)).norm(), 0.1);
-  ASSERT_EQ(flown.sweeps.size(), 1u);
-  const geom::Aabb face = *geom::bounds(flown.sweeps[0].hull);
-  EXPECT_NEAR(face.min.z(), 30, 0.01);
-  EXPECT_NEAR(face.max.z(), 41, 0.01);
-  EXPECT_NEAR(face.min.y(), kSouth, 0.1);
-  for (std::size_t leg = 3; leg < flown.path.size(); ++leg) {
-    const double from = std::floor(std::max(0.0, flown.path[leg - 1].x() - 0.1) / 10);
-    const double to = std::floor(std::max(0.0, flown.path[leg].x() + 0.1) / 10);
-    const SurfaceRange held = held_at(flown, leg);
-    EXPECT_LE(held.low, 10 + from + 20) << leg;
-    EXPECT_GE(held.high, 10 + to + 1 + 30) << leg;
-    EXPECT_GE(held.low, 10 + from + 20 - 3) << leg << ": no wider than it must be";
-    EXPECT_LE(held.high, 10 + to + 1 + 30 + 3) << leg;
-    EXPECT_LT((flown.path[leg] - flown.path[leg - 1]).head<2>().norm(), 5.01);
-  }
-  ASSERT_TRUE(flown.terrain);
-  EXPECT_EQ(flown.terrain->model, "sha256:slope");
-  EXPECT_EQ(flown.terrain->surface, (SurfaceBand{20, 30}));
-  EXPECT_TRUE(flown.climb_holds_in_band);
-  EXPECT_NEAR(flown.terrain->band, 12, 0.01);
-  const double level = 100.06 / 9 + kEast / 4 + 1.5;
-  EXPECT_GT(flown.least_seconds, level + (20 + 5 + 7) / 6.0);
-  EXPECT_LT(flown.least_seconds, level + (20 + 5 + 15) / 6.0);
-}
-
-TEST(FlownDji, FollowsTheSurfaceOfAMapWhoseFirstAxisIsNorth) {
-  const geom::GroundModel east = slope();
-  const geom::GroundModel swapped = slope(geom::Axes::neu);
-  const TerrainRules surface{.ground = &east, .surface = {{20, 30}}};
-  const TerrainRules other{.ground = &swapped, .axes = geom::Axes::neu, .surface = {{20, 30}}};
-  const FlownDji flown = fly(along_the_surface(), {.surface = surface});
-  const FlownDji same = fly(along_the_surface(), {.surface = other});
-  EXPECT_EQ(same.path, flown.path);
-  EXPECT_EQ(same.leg_band, flown.leg_band);
-}
-
-TEST(FlownDji, WhereItMayBeBesideItsWayTheGroundCountsToo) {
-  const geom::GroundModel ground = slope();
-  const TerrainRules surface{.ground = &ground, .surface = {{20, 30}}};
-  const auto band = [&](double around) {
-    return fly(along_the_surface(), {.surface = surface, .around = around}).leg_band.back();
-  };
-  EXPECT_NEAR(band(20) - band(0), 2, 1e-9) << "2 m lower to the west, and 2 m higher to the east";
-}
-
-TEST(FlownDji, SurfaceOfWhichTooLittleIsKnownIsRefused) {
-  const geom::GroundModel ground = slope();
-  const TerrainRules surface{.ground = &ground, .surface = {{20, 30}}};
-  const auto refusal = [](const DjiMission& m, const DjiRules& rules) {
-    return support::refusal_of([&] { fly(m, rules); });
-  };
-  DjiMission m = along_the_surface();
-  const std::string none =
-      "m.kmz:7: expected heights above the ellipsoid or the take-off (executeHeightMode WGS84 or "
-      "relativeToStartPoint), found heights above the surface as the aircraft sees it: no file "
-      "says how well it keeps them: say between which heights over a height model it stays "
-      "(--ground-model, --surface-band)";
-  EXPECT_EQ(refusal(m, {}), none);
-  EXPECT_EQ(refusal(m, {.surface = TerrainRules{.ground = &ground, .error = 9}}), none);
-  EXPECT_EQ(
-      refusal(m, {.surface = surface, .around = 330}),
-      "m.kmz: expected a height model that knows the ground below the whole way, since the "
-      "aircraft follows the surface there, found a hole, or its end, at x -330.011 to 330.011, y "
-      "-430.065 to 229.957: take a larger height model (and map)");
-  // A model that counts from another zero than the take-off.
-  for (const double off : {-5.5, 6.5}) {
-    EXPECT_EQ(refusal(m, {.ground = 10 + off, .surface = surface}),
-              fmt::format("m.kmz:7: expected a take-off within 5 m of the height model's ground, "
-                          "10.0 to 11.0 m there, found one at {:.1f} m: both must count from the "
-                          "zero of the map (--ground, --ground-model)",
-                          10 + off));
-  }
-  EXPECT_EQ(refusal(m, {.ground = 5.5, .surface = surface}), "");
-  EXPECT_EQ(refusal(m, {.ground = 15.5, .surface = surface}), "");
-  m.aircraft = {1, 0};
-  EXPECT_EQ(refusal(m, {.surface = surface}),
-            "m.kmz:7: expected an aircraft of which is known how fast it climbs, found type 1: it "
-            "climbs and sinks as the surface does");
-  m = along_the_surface();
-  m.waylines.push_back({1, DjiHeights::above_takeoff, {{47, 8, 60, 4, 0, 9}}});
-  EXPECT_EQ(refusal(m, {.surface = surface}),
-            "m.kmz:7: expected waylines that all follow the surface, or none, found some that do "
-            "(executeHeightMode realTimeFollowSurface)");
-}
-
-TEST(FlownDji, ReturnsFromAnyHeightOverTheSurface) {
-  const geom::GroundModel ground = geom::GroundModel::flat(10);
-  const TerrainRules surface{.ground = &ground, .surface = {{20, 40}}};
-  DjiMission m = along_the_surface();
-  m.finish = DjiFinish::go_home;
-  m.return_height = 30;
-  const FlownDji flown = fly(m, {.surface = surface});
-  EXPECT_EQ(flown.terrain->model, "flat");
-  EXPECT_EQ(flown.ends.landing_on, 10);
-  EXPECT_NEAR(flown.path.back().z(), 50, 0.01) << "as high as it may begin";
-  ASSERT_EQ(flown.sweeps.size(), 2u);
-  EXPECT_EQ(flown.sweeps[1].part, (FlightPart{1, Manoeuvre::return_home}));
-  const auto& hull = flown.sweeps[1].hull;
-  EXPECT_NEAR(hull[0].z(), 30, 0.01);
-  EXPECT_NEAR(hull[1].z(), 50, 0.01);
-  EXPECT_NEAR(hull[2].z(), 40, 0.01) << "over home it has risen to the return's height";
-  EXPECT_NEAR(hull[3].z(), 50, 0.01);
-  m.takeoff = geom::GeodeticPlace{47, 8.0005, 400};
-  EXPECT_NEAR(fly(m, {.surface = surface}).sweeps[1].hull[2].z(), 30, 0.01)
-      << "near home it may not rise";
-}
-
-TEST(FlownDji, TurnsOverTheSurfaceAreAsHighAsItMayBe) {
-  const geom::GroundModel ground = geom::GroundModel::flat(10);
-  const TerrainRules surface{.ground = &ground, .surface = {{20, 40}}};
-  DjiMission m = corner(DjiTurn::early, 10);
-  m.waylines[0].heights = DjiHeights::above_surface;
-  const FlownDji flown = fly(m, {.surface = surface});
-  ASSERT_EQ(flown.sweeps.size(), 2u);
-  EXPECT_EQ(flown.sweeps[1].part, (FlightPart{1, Manoeuvre::corner}));
-  const geom::Aabb turn = *geom::bounds(flown.sweeps[1].hull);
-  EXPECT_LT((turn.min - Vec3(kEast - 10, 0, 30)).norm(), 0.1);
-  EXPECT_LT((turn.max - Vec3(kEast, 10, 50)).norm(), 0.1);
-  // How steep the legs are is not known, so it may turn as far out as over flat ground.
-  const geom::GroundModel hill = slope();
-  const TerrainRules rising{.ground = &hill, .surface = {{20, 40}}};
-  const geom::Aabb risen = *geom::bounds(fly(m, {.surface = rising}).sweeps[1].hull);
-  EXPECT_NEAR(risen.min.x(), turn.min.x(), 1e-9);
-  EXPECT_NEAR(risen.max.y(), turn.max.y(), 1e-9);
-  m.waylines[0].waypoints[1].damping = 77;
-  EXPECT_EQ(support::refusal_of([&] { fly(m, {.surface = surface}); }),
-            "m.kmz: expected turns that do not meet, found a leg of 76.06 m, of which turns take "
-            "77 m (waypointTurnDampingDist)");
 }
 
 }  // namespace
