@@ -67,7 +67,7 @@ string(JOIN ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
   libeigen3-dev libfmt-dev nlohmann-json3-dev libsimdjson-dev liboctomap-dev libgeographiclib-dev libgmp-dev
   libmpfr-dev libssl-dev zlib1g-dev coinor-libipopt1v5 libembree3-3 libexpat1 liblzf1)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS
-  "libpng-dev, libgdal-dev, libbz2-dev, libexpat1-dev, libpcl-dev, liblz4-dev, libproj25, pkg-config, libassimp5, libdraco-dev")
+  "libpng-dev, libgdal-dev, libbz2-dev, libexpat1-dev, liblz4-dev, libproj25, pkg-config, libassimp5, libdraco-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 
 # Each of the three has a part of the Python module, too.

@@ -1,14 +1,46 @@
 #include "geom/cloud/pcl_filters.h"
 
 #include <fmt/format.h>
+#include <pcl/console/print.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+#include <stdexcept>
+
+#include "geom/base/error.h"
+
+namespace geom {
+namespace {
+
+[[noreturn]] void stop_filter() {
+  throw std::runtime_error("PCL could not look at all points; memory may be short");
+}
+
+void* allocated(std::size_t bytes) {
+  if (void* const out = std::malloc(bytes)) return out;
+  throw std::bad_alloc();
+}
+
+}  // namespace
+}  // namespace geom
+
+// Where something goes wrong, even where memory is short, PCL's headers print a message and go on
+// with fewer points, and FLANN's go on with none. Here they stop.
+#undef PCL_ERROR
+#undef PCL_WARN
+#undef PCL_DEBUG
+#define PCL_ERROR(...) geom::stop_filter()
+#define PCL_WARN(...) geom::stop_filter()
+#define PCL_DEBUG(...) static_cast<void>(0)
+#define malloc(bytes) geom::allocated(bytes)
+#include <flann/util/allocator.h>
+#undef malloc
 #include <pcl/filters/statistical_outlier_removal.h>
 #include <pcl/filters/uniform_sampling.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
-
-#include <algorithm>
-
-#include "geom/base/error.h"
 
 namespace geom {
 namespace {
