@@ -19,6 +19,8 @@ namespace {
 
 constexpr double kLeastSlack = 1e-6;  // metres
 
+constexpr double kFew = 32;  // rectangles: all covers are tried
+
 constexpr std::size_t kAny = std::numeric_limits<std::size_t>::max();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -79,46 +81,66 @@ class Slabs {
     rectangles_.reserve(few);
   }
 
-  // Slabs that end at a corner's level where they reach one. Ends early, with `most` or more
-  // rectangles, where there are not fewer.
-  std::vector<Rectangle> cover_to_corners(std::size_t most) {
-    at_corners_ = true;
-    fork_.reset();
-    return cover_from({levels_.empty() ? 0 : levels_.front(), 0, {}}, {}, most);
+  // About how many rectangles a cover has. Between two levels, its slabs are as high as the edge
+  // there that is most level lets them be.
+  double expected() {
+    double out = 0;
+    std::size_t next = 0;
+    begun_.clear();
+    for (std::size_t i = 0; i + 1 < levels_.size(); ++i) {
+      const double y0 = levels_[i];
+      const double slacks = (levels_[i + 1] - y0) / slack_;
+      while (next < edges_.size() && edges_[next].low.y() <= y0) begun_.push_back(&edges_[next++]);
+      std::erase_if(begun_, [&](const CoverEdge* edge) { return edge->high.y() <= y0; });
+      double slabs = std::min(slacks, 1.0);
+      for (const CoverEdge* edge : begun_) {
+        slabs = std::max(slabs, slacks * edge->run_over_length);
+      }
+      out += slabs * 0.5 * static_cast<double>(begun_.size());
+    }
+    return out;
   }
 
-  // Slabs that each reach as far as they may. `to_corners`: what cover_to_corners() gave last, with
-  // which they begin.
-  std::vector<Rectangle> cover_far(const std::vector<Rectangle>& to_corners, std::size_t most) {
-    if (!fork_) return to_corners;
-    at_corners_ = false;
-    return cover_from(*fork_, {to_corners.begin(), to_corners.begin() + fork_->count}, most);
+  // Slabs that each reach as far as they may. Nothing where they have `most` rectangles or more.
+  std::optional<std::vector<Rectangle>> cover_far(std::size_t most) {
+    to_corners_ = false;
+    fork_.reset();
+    return cover_from({levels_.empty() ? 0 : levels_.front(), {}, {}}, most);
+  }
+
+  // After cover_far(): slabs that end at a corner's level where they reach one. Nothing where they
+  // are the same, too.
+  std::optional<std::vector<Rectangle>> cover_to_corners(std::size_t most) {
+    to_corners_ = true;
+    return fork_ ? cover_from(*fork_, most) : std::nullopt;
   }
 
  private:
   // Where a slab begins.
   struct Begin {
     double y0;
-    std::ptrdiff_t count;  // of the rectangles below
+    std::vector<Rectangle> below;
     SlackGauge::Refusal refusal;
   };
 
-  std::vector<Rectangle> cover_from(Begin first, std::vector<Rectangle> out, std::size_t most) {
+  std::optional<std::vector<Rectangle>> cover_from(Begin first, std::size_t most) {
     next_ = 0;
     level_ = 0;
     begun_.clear();
     gauge_.set_refusal(first.refusal);
+    std::vector<Rectangle> out = std::move(first.below);
     for (double y0 = first.y0; !edges_.empty() && y0 < levels_.back();) {
       begin(y0);
-      const Begin here{y0, std::ssize(out), gauge_.refusal()};
+      const SlackGauge::Refusal refusal = gauge_.refusal();
       const double y1 = furthest(y0);
-      if (is_at_corner_ && !fork_) fork_ = here;
+      if (passes_corner_ && !fork_) fork_ = {y0, out, refusal};
       for (const Rectangle& r : rectangles(y0, y1)) out.push_back(r);
-      if (out.size() >= most) return out;
+      if (out.size() >= most) return std::nullopt;
       y0 = is_straight_ ? cover_straight(y0, y1, out) : y1;
-      if (out.size() >= most) return out;
+      if (out.size() >= most) return std::nullopt;
     }
     add_flat_edges(out);
+    if (out.size() >= most) return std::nullopt;
     return out;
   }
 
@@ -213,7 +235,7 @@ class Slabs {
     const double straight = std::max(sure, y0 + height_);
     const double more = straight + too_much();
     is_straight_ = more < levels_[level_] && !valid(y0, more);
-    is_at_corner_ = false;
+    passes_corner_ = false;
     if (is_straight_) return straight;
     double good = sure;
     double bad = kInfinity;
@@ -226,8 +248,9 @@ class Slabs {
       }
       good = levels_[level];
     }
-    is_at_corner_ = at_corners_ && good > sure && good < top;
-    if (good >= top || is_at_corner_) return good;
+    if (good >= top) return good;
+    passes_corner_ = good > sure;
+    if (to_corners_ && passes_corner_) return good;
     const double most = good + 8 * slack_;
     if (bad <= most) return between(y0, good, bad);
     return valid(y0, most) ? most : between(y0, good, most);
@@ -326,7 +349,7 @@ class Slabs {
   };
 
   double slack_;
-  bool at_corners_ = true;
+  bool to_corners_ = false;
   SlackGauge gauge_;
   Winding winding_;
   std::vector<CoverEdge> edges_;  // by their lower end
@@ -336,8 +359,8 @@ class Slabs {
   std::size_t next_ = 0;                 // the first edge that begins above the slab's lower end
   std::size_t given_ = 0;                // the first that the gauge does not know
   std::vector<const CoverEdge*> begun_;  // those before it that are still near
-  std::optional<Begin> fork_;            // the first that would reach further than to a corner
-  bool is_at_corner_ = false;            // and might go on
+  std::optional<Begin> fork_;            // the first that reaches further than to a corner
+  bool passes_corner_ = false;           // or might
   bool is_straight_ = false;             // between two corners, and as high as it may be there
   double height_ = 0;                    // that one may have between two corners
   std::vector<Span> spans_;
@@ -345,6 +368,21 @@ class Slabs {
   std::vector<std::pair<double, const CoverEdge*>> across_;
   std::vector<Rectangle> rectangles_;
 };
+
+// Takes a cover of the slabs where it has fewer than `most` rectangles. Returns whether it has.
+bool improve(std::vector<Rectangle>& best, std::size_t& most, Slabs& slabs, bool to_corners_too) {
+  bool improved = false;
+  const auto take = [&](std::optional<std::vector<Rectangle>> fewer) {
+    if (!fewer) return;
+    best = std::move(*fewer);
+    most = best.size();
+    improved = true;
+  };
+  take(slabs.cover_far(most));
+  // Of as many, those that end at corners.
+  if (to_corners_too) take(slabs.cover_to_corners(improved ? most + 1 : most));
+  return improved;
+}
 
 Polygon transposed(const Polygon& polygon) {
   const auto swap = [](std::vector<Vec2> ring) {
@@ -383,18 +421,22 @@ std::vector<Rectangle> cover(const Polygon& polygon, double slack) {
   std::vector<Rectangle> best;
   std::size_t most = kAny;
   bool is_turned = false;
-  for (const bool turn : {false, true}) {
-    Slabs slabs(turn ? turned : polygon, slack);
-    std::vector<Rectangle> to_corners = slabs.cover_to_corners(most);
-    most = std::min(most, to_corners.size());
-    std::vector<Rectangle> far = most > 1 ? slabs.cover_far(to_corners, most) : to_corners;
-    for (std::vector<Rectangle>* other : {&to_corners, &far}) {
-      if (!best.empty() && other->size() >= best.size()) continue;
-      best = std::move(*other);
-      is_turned = turn;
+  Slabs upright(polygon, slack);
+  const double expected = upright.expected();
+  if (expected < kFew) {
+    improve(best, most, upright, true);
+    if (most > 1) {
+      Slabs level(turned, slack);
+      is_turned = improve(best, most, level, true);
     }
-    most = best.size();
-    if (most <= 1) break;
+  } else {
+    Slabs level(turned, slack);
+    const double expected_turned = level.expected();
+    // What is expected is about that far from what a cover has.
+    const bool both =
+        std::abs(expected - expected_turned) <= std::sqrt(std::min(expected, expected_turned));
+    if (both || expected <= expected_turned) improve(best, most, upright, false);
+    if (both || expected > expected_turned) is_turned = improve(best, most, level, false);
   }
   if (is_turned) {
     for (Rectangle& r : best) {
