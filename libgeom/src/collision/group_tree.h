@@ -14,7 +14,7 @@
 
 namespace geom {
 
-// What a map that is one group has besides.
+// What a tree of all boxes of a map has besides.
 struct FirstLooks {
   NearestHints hints;
   Skyline skyline;
@@ -30,7 +30,7 @@ struct alignas(HugeArena::kAlign) GroupTree {
   std::size_t count = 0;                // boxes
   std::size_t bytes = 0;                // about
   bool in_arena = false;
-  std::unique_ptr<const FirstLooks> looks;  // of a map that is one group
+  std::unique_ptr<const FirstLooks> looks;  // of a tree of all boxes
   TreeFrame frame;
 
   const BoxNode* nodes() const { return reinterpret_cast<const BoxNode*>(this + 1); }

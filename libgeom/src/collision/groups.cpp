@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <new>
+#include <numeric>
 #include <utility>
 
 #include "geom/base/mapped_file.h"
@@ -15,8 +16,8 @@
 namespace geom {
 namespace {
 
-constexpr double kBoxesPerGroup = 128;         // as many as two levels of nodes find
-constexpr std::size_t kMostInOneGroup = 8192;  // of a map that fits the budget
+constexpr double kBoxesPerGroup = 128;        // as many as two levels of nodes find
+constexpr std::size_t kMostInOneTree = 8192;  // of a map that fits the budget twice
 
 constexpr double kMostSharedPad = 0.25;  // metres; of larger maps, groups have frames of their own
 constexpr std::size_t kManyBuilt = 32;   // groups: more than one question touches
@@ -35,12 +36,12 @@ CollisionScene::Impl::Impl(BoxMap m, Vehicle v, double mg, const CollisionOption
     if (margin > 0) half[i] = next_up(half[i]);
   }
   free_bounds = shrink(map.spec().bounds, half);
-  const bool one = map.size() <= std::min(kMostInOneGroup, budget / kMostBytesPerBox);
   group_tiles(options.boxes_per_group > 0 ? static_cast<double>(options.boxes_per_group)
-              : one                       ? static_cast<double>(kMostInOneGroup)
                                           : kBoxesPerGroup);
   counts.groups = groups.size();
   keeps_all = groups.size() <= 1 || most_tree_bytes(map.size(), groups.size()) <= budget;
+  is_small = options.boxes_per_group == 0 &&
+             map.size() <= std::min(kMostInOneTree, budget / (2 * kMostBytesPerBox));
 }
 
 void CollisionScene::Impl::group_tiles(double wanted) {
@@ -77,7 +78,6 @@ const GroupTree& CollisionScene::Impl::build_group(std::size_t g) {
 }
 
 OwnedGroup CollisionScene::Impl::made_tree(std::size_t g) {
-  std::vector<Aabb> grown;
   std::vector<std::uint32_t> names;
   const std::uint32_t head = tiles.head[order[g]];
   std::size_t count = 0;
@@ -85,19 +85,26 @@ OwnedGroup CollisionScene::Impl::made_tree(std::size_t g) {
     for (std::uint32_t r = head; r != TileGroups::kEnd; r = tiles.runs[r].next) f(tiles.runs[r]);
   };
   each_run([&](const TileGroups::Run& run) { count += run.count; });
-  grown.reserve(count);
   names.reserve(count);
   const std::size_t first = tiles.runs[head].first;
   each_run([&](const TileGroups::Run& run) {
     for (std::size_t i = run.first; i < run.first + run.count; ++i) {
-      grown.push_back(grow(boxes[i], half));
       names.push_back(static_cast<std::uint32_t>(i - first));
     }
   });
+  return tree_of(first, names, groups.size() == 1);
+}
+
+// Of boxes that are each so far from the first.
+OwnedGroup CollisionScene::Impl::tree_of(std::size_t first, std::span<const std::uint32_t> names,
+                                         bool all) {
+  std::vector<Aabb> grown;
+  grown.reserve(names.size());
+  for (const std::uint32_t name : names) grown.push_back(grow(boxes[first + name], half));
   const Aabb extent = *bounds(grown);
   std::unique_ptr<FirstLooks> looks;
-  if (groups.size() == 1) {
-    looks.reset(new FirstLooks{NearestHints(extent, count), Skyline(grown, extent)});
+  if (all) {
+    looks.reset(new FirstLooks{NearestHints(extent, grown.size()), Skyline(grown, extent)});
   }
   const BuiltTree built = split_tree(grown, one_frame ? top.frame : TreeFrame(extent));
   return group_tree({.built = built,
@@ -129,6 +136,7 @@ const GroupTree* CollisionScene::Impl::kept_tree(const Group& group) {
 void CollisionScene::Impl::keep(std::size_t g, OwnedGroup tree) {
   bool trim = false;
   bool many = false;
+  bool most = false;
   const std::size_t count = tree->count;
   {
     const std::lock_guard lock(keeping);
@@ -142,13 +150,28 @@ void CollisionScene::Impl::keep(std::size_t g, OwnedGroup tree) {
     read += count * sizeof(Aabb);
     trim = read >= kReadBetweenTrims;
     if (trim) read = 0;
-    many = keeps_all && counts.built == kManyBuilt;
+    many = keeps_all && !is_small && counts.built == kManyBuilt;
+    // The rest takes about as long as the whole.
+    most = keeps_all && is_small && groups.size() > 1 && 2 * built_boxes < boxes.size() &&
+           2 * (built_boxes + count) >= boxes.size();
+    built_boxes += count;
   }
+  if (most) make_whole();
   if (many) make_cells();
   if (trim) trim_mapped_files();
 }
 
-// A help for later questions, who can do without.
+// These two help later questions, who can do without.
+void CollisionScene::Impl::make_whole() noexcept {
+  try {
+    std::vector<std::uint32_t> names(boxes.size());
+    std::iota(names.begin(), names.end(), 0);
+    whole = tree_of(0, names, true);
+    known_whole.store(whole.get(), std::memory_order_release);
+  } catch (const std::bad_alloc&) {
+  }
+}
+
 void CollisionScene::Impl::make_cells() noexcept {
   try {
     std::vector<Aabb> extents;

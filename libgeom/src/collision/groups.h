@@ -1,8 +1,8 @@
 #pragma once
 
 // The two levels of a collision structure: a tree over groups of neighbouring tiles, and one a
-// group over its boxes, built on first touch and given up past the budget. A small map is one group
-// and has no upper level.
+// group over its boxes, built on first touch and given up past the budget. A small map gets one
+// tree of all its boxes once most of its groups were touched, and needs no upper level then.
 
 #include <array>
 #include <atomic>
@@ -44,6 +44,7 @@ struct CollisionScene::Impl {
   Vec3 half;
   std::size_t budget;
   bool keeps_all = false;  // the whole map surely fits the budget: no group is ever given up
+  bool is_small = false;   // and one tree of all boxes is worth it
   std::optional<Aabb> free_bounds;
   TileGroups tiles;                                    // the extents grown
   BoxTree top;                                         // over groups; of one group, only a frame
@@ -54,12 +55,15 @@ struct CollisionScene::Impl {
   std::vector<std::uint32_t> order;                    // and which of `tiles` each is
   std::unique_ptr<const TopCells> cells;               // over groups, once many were built:
   std::atomic<const TopCells*> known_cells = nullptr;  // the same
+  OwnedGroup whole;  // of a small map, all boxes, once most were built:
+  std::atomic<const GroupTree*> known_whole = nullptr;  // the same
   std::array<std::mutex, kLocks> building;  // group g is built under building[g % kLocks]
 
   mutable std::mutex keeping;       // guards what follows, and taking trees away; taken last
   std::vector<std::uint32_t> kept;  // the groups with a tree, around the clock
   std::size_t hand = 0;             // where in `kept` the clock stands
-  std::size_t bytes = 0;            // of all trees
+  std::size_t bytes = 0;            // of the trees of groups
+  std::size_t built_boxes = 0;      // of all groups that were ever built
   CollisionCounts counts;
   std::size_t read = 0;  // bytes of boxes, since the mapped files were last trimmed
 
@@ -75,6 +79,8 @@ struct CollisionScene::Impl {
   const Aabb& extent(std::size_t g) const { return tiles.extent[order[g]]; }  // of a group, grown
   const GroupTree& build_group(std::size_t g);
   OwnedGroup made_tree(std::size_t g);
+  OwnedGroup tree_of(std::size_t first, std::span<const std::uint32_t> names, bool all);
+  void make_whole() noexcept;
   void make_cells() noexcept;
   bool make_room() noexcept;
   const GroupTree* kept_tree(const Group& group);
@@ -104,6 +110,13 @@ inline const BoxNode* nodes_around(const CollisionScene::Impl& impl, const Vec3&
   const TopCells* const cells = impl.known_cells.load(std::memory_order_acquire);
   const BoxNode* const node = cells ? cells->node(a, b) : nullptr;
   return node ? node : impl.top.nodes.data();
+}
+
+// The tree of all boxes, where there is one: of a map that is one group, it is built now. It is
+// never given up.
+inline const GroupTree* whole_tree(CollisionScene::Impl& impl) {
+  if (impl.groups.size() == 1) return &impl.touch(0);
+  return impl.known_whole.load(std::memory_order_acquire);
 }
 
 // Calls f(tree) for a query inside a group, whose tree stays that long. Throws where it cannot be

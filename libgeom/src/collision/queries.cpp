@@ -120,9 +120,8 @@ struct PointAsked {
 // whether it did. Where `first`, the first of them ends the search.
 template <bool first, class Asked, class Seen>
 bool find_hit(CollisionScene::Impl& impl, const Asked& asked, const Seen& seen) {
-  // The only group is never given up.
-  const bool one = impl.groups.size() == 1;
-  if (one && asked.passes_over(impl.touch(0).looks->skyline)) return false;
+  const GroupTree* const whole = whole_tree(impl);
+  if (whole && asked.passes_over(whole->looks->skyline)) return false;
   Question question(impl, asked);
   return with_lanes([&](auto lanes) SKYWAY_ANY_LANES {
     using Lanes = decltype(lanes);
@@ -136,7 +135,7 @@ bool find_hit(CollisionScene::Impl& impl, const Asked& asked, const Seen& seen) 
         return any_meeting<Lanes>(group.nodes(), question.of(group), hits);
       }
     };
-    if (one) return hits_group(impl.touch(0));
+    if (whole) return hits_group(*whole);
     return any_meeting<Lanes>(nodes_around(impl, asked.a, asked.b), question.shared(),
                               [&](std::size_t g) SKYWAY_ANY_LANES {
                                 return (is_built(impl, g) || asked.meets(impl.extent(g))) &&
@@ -228,10 +227,10 @@ std::size_t find_nearest(CollisionScene::Impl& impl, const Vec3& p, double radiu
   const PointInTree& at = question.shared();
   with_lanes([&](auto lanes) SKYWAY_ANY_LANES {
     using Lanes = decltype(lanes);
-    if (impl.groups.size() == 1) {
-      const GroupTree& group = impl.touch(0);
-      room.size() == 1 ? search_by_hint<Lanes>(group, at, p, found)
-                       : static_cast<void>(search<Lanes>(group, at, p, found));
+    if (const GroupTree* const whole = whole_tree(impl)) {
+      const PointInTree& at_whole = question.of(*whole);
+      room.size() == 1 ? search_by_hint<Lanes>(*whole, at_whole, p, found)
+                       : static_cast<void>(search<Lanes>(*whole, at_whole, p, found));
       return;
     }
     const auto search_group = [&](const GroupTree& group) SKYWAY_ANY_LANES {
@@ -284,7 +283,7 @@ std::optional<std::vector<std::size_t>> find_meeting(CollisionScene::Impl& impl,
       };
       return each_in_region<Lanes>(group.nodes(), question.of(group), add);
     };
-    if (impl.groups.size() == 1) return visit(impl, 0, add_group);
+    if (const GroupTree* const whole = whole_tree(impl)) return add_group(*whole);
     const auto visit_group = [&](std::size_t g) SKYWAY_ANY_LANES {
       return (is_built(impl, g) || meet(region, impl.extent(g))) && visit(impl, g, add_group);
     };

@@ -8,12 +8,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
 #include <functional>
 #include <limits>
 #include <new>
 #include <optional>
 #include <sstream>
+#include <thread>
 
 #include "collision/groups.h"
 #include "geom/archive/array_archive.h"
@@ -304,6 +306,70 @@ TEST(FailedQuery, LeavesNoGroupInUse) {
   }
   EXPECT_EQ(impl.bytes, bytes);
   EXPECT_EQ(impl.kept.size(), trees);
+}
+
+// A small map of many groups, which gets one tree of all its boxes once most were asked for.
+BoxMap small_city() { return support::random_city(25, 2500, 600); }
+
+Answer asked(const CollisionScene::Impl& impl, const Aabb& region) {
+  const auto found =
+      find_meeting(const_cast<CollisionScene::Impl&>(impl), region, impl.boxes.size());
+  return {found->begin(), found->end()};
+}
+
+TEST(SmallMap, GetsOneTreeOnceMostOfItIsBuilt) {
+  CollisionScene::Impl impl(small_city(), kVehicle, kMargin, {});
+  ASSERT_GT(impl.groups.size(), 4u);
+  EXPECT_EQ(whole_tree(impl), nullptr);
+  asked(impl, {{-300, -300, 0}, {-290, -290, 60}});
+  EXPECT_EQ(whole_tree(impl), nullptr);
+  const Answer all = asked(impl, {{-400, -400, 0}, {400, 400, 120}});
+  EXPECT_EQ(all.size(), impl.boxes.size());
+  ASSERT_NE(whole_tree(impl), nullptr);
+  EXPECT_EQ(whole_tree(impl)->count, impl.boxes.size());
+  EXPECT_EQ(asked(impl, {{-400, -400, 0}, {400, 400, 120}}), all);
+}
+
+TEST(SmallMap, AnswersRightWhileItsTreeIsMade) {
+  const BoxMap map = small_city();
+  for (int round = 0; round < 4; ++round) {
+    const CollisionScene scene(map, kVehicle, kMargin);
+    std::vector<std::thread> threads;
+    std::atomic<int> wrong = 0;
+    for (int t = 0; t < 3; ++t) {
+      threads.emplace_back([&, t] {
+        support::Random random(static_cast<std::uint64_t>(100 * round + t));
+        for (int i = 0; i < 20; ++i) {
+          const Query& query = kQueries[random.below(std::size(kQueries))];
+          const Place at = place(random);
+          if (query.ask(scene, at) != query.brute_force(scene, at)) ++wrong;
+        }
+      });
+    }
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(wrong, 0);
+  }
+}
+
+TEST_P(FailedAllocation, NeverChangesAnAnswerWhileATreeOfAllIsMade) {
+  const BoxMap map = small_city();
+  const Place across{{-300, -300, 5}, {300, 290, 40}};
+  const Aabb everywhere = region(across);
+  const Answer right = meeting(CollisionScene(map, kVehicle, kMargin), everywhere);
+  int failures = 0;
+  for (int n = 0;; ++n) {
+    CollisionScene::Impl impl(map, kVehicle, kMargin, {});
+    try {
+      const FailingMemory short_of_memory(n, GetParam());
+      EXPECT_EQ(asked(impl, everywhere), right) << "allocation " << n;
+    } catch (const std::bad_alloc&) {
+      ++failures;
+    }
+    const bool failed = FailingMemory::any_failed();
+    EXPECT_EQ(asked(impl, everywhere), right) << "after allocation " << n;
+    if (!failed || HasFailure()) break;
+  }
+  EXPECT_GT(failures, 20);
 }
 
 // The bytes of a map whose box of that lowest x has another one.
