@@ -26,9 +26,6 @@ class RasterCells {
 
   GDALRasterBandH band() const { return band_; }
 
-  // Whether the file says which cells have no number, though it may have none of them.
-  bool names_holes() const { return none_ || mask_.band || opacity_.band; }
-
  private:
   struct Mask {
     GDALRasterBandH band = nullptr;

@@ -26,7 +26,7 @@ constexpr double kUsualNone = -9999;    // what many write where they have no he
 [[noreturn]] void refuse_none(int row, int column, const std::string& name) {
   throw InputError(name, {.item = fmt::format("row {}, column {}", row, column),
                           .expected = "a height",
-                          .found = "-9999, and the file does not say which value stands for none",
+                          .found = "-9999, and the file does not say that this stands for none",
                           .advice = "say it, for example with `gdal_translate -a_nodata -9999`"});
 }
 
@@ -47,7 +47,7 @@ struct Raster {
                               .advice = "the file is damaged or cut, get it again"});
     }
     for (int i = 0; i < width; ++i) {
-      if (out[i] == kUsualNone && !cells->names_holes()) refuse_none(row, i, name);
+      if (out[i] == kUsualNone) refuse_none(row, i, name);
       out[i] *= metres;
       if (out[i] > kHighest) {
         throw InputError(name, {.item = fmt::format("row {}, column {}", row, i),

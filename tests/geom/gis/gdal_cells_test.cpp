@@ -117,9 +117,8 @@ TEST(RasterCells, AnAsciiGridThatNamesNoValueForNoneHasOne) {
   EXPECT_EQ(source.counts["cells_without_data"], 1u);
   EXPECT_EQ(source.counts["cells"], 3u);
   const MemoryFile says_another("another.asc", head + "NODATA_value 2\n" + cells);
-  source = read_raster(says_another.path(), "another.asc", {});
-  EXPECT_EQ(source.counts["cells_without_data"], 1u);
-  EXPECT_EQ(source.footprints.front().bottom, -9999);
+  EXPECT_TRUE(says(refusal_of([&] { read_raster(says_another.path(), "another.asc", {}); }),
+                   "another.asc: row 0, column 0: expected a height, found -9999"));
 }
 
 // As a height it would put houses on a terrain 10 km below the others.
@@ -133,6 +132,10 @@ TEST(ReadRaster, RefusesTheUsualValueForNoneWhereNothingSaysSo) {
   const MemoryRaster said({.cell = cell},
                           [](GDALDataset& made) { made.GetRasterBand(1)->SetNoDataValue(-9999); });
   EXPECT_EQ(read_raster(said.path(), "r.tif", {}).counts.at("cells_without_data"), 1u);
+  const MemoryRaster other(
+      {.cell = cell}, [](GDALDataset& made) { made.GetRasterBand(1)->SetNoDataValue(-32768); });
+  EXPECT_TRUE(says(refusal_of([&] { read_raster(other.path(), "r.tif", {}); }),
+                   "r.tif: row 2, column 1: expected a height, found -9999"));
 }
 
 // GDAL passes over it.

@@ -1,6 +1,7 @@
 #include "gis/gdal_whole_raster.h"
 
 #include <fmt/format.h>
+#include <gdal_utils.h>
 #include <gtest/gtest.h>
 
 #include "geom/gis/footprint_source.h"
@@ -49,8 +50,8 @@ TEST(RequireWholeRaster, TakesOverviewsForNoPictures) {
   EXPECT_EQ(raster_refusal(raster.path()), "");
 }
 
-// A mosaic of 8 x 4 cells, of which the raster covers `columns`.
-std::string mosaic(const MemoryRaster& raster, int columns, const std::string& more) {
+// A mosaic of 8 x 4 cells, of which the raster at `path` covers `columns`.
+std::string mosaic(const std::string& path, int columns, const std::string& more) {
   return fmt::format(
       "<VRTDataset rasterXSize=\"8\" rasterYSize=\"4\"><GeoTransform>500000, 5, 0, 5500020, 0, -5"
       "</GeoTransform><VRTRasterBand dataType=\"Float32\" band=\"1\">{2}<SimpleSource>"
@@ -58,19 +59,75 @@ std::string mosaic(const MemoryRaster& raster, int columns, const std::string& m
       "<SrcRect xOff=\"0\" yOff=\"0\" xSize=\"4\" ySize=\"4\"/>"
       "<DstRect xOff=\"0\" yOff=\"0\" xSize=\"{1}\" ySize=\"4\"/>"
       "</SimpleSource></VRTRasterBand></VRTDataset>",
-      raster.path(), columns, more);
+      path, columns, more);
 }
 
 // GDAL gives 0 there.
 TEST(RequireWholeRaster, RefusesAMosaicWithGaps) {
   const MemoryRaster raster({.cell = [](int, int) { return 7.0; }});
-  const MemoryFile gaps("gaps.vrt", mosaic(raster, 4, ""));
+  const MemoryFile gaps("gaps.vrt", mosaic(raster.path(), 4, ""));
   EXPECT_TRUE(says(raster_refusal(gaps.path()), "found none, in a mosaic with gaps"));
-  const MemoryFile whole("whole.vrt", mosaic(raster, 8, ""));
+  const MemoryFile whole("whole.vrt", mosaic(raster.path(), 8, ""));
   EXPECT_EQ(raster_refusal(whole.path()), "");
-  const MemoryFile known("known.vrt", mosaic(raster, 4, "<NoDataValue>-9999</NoDataValue>"));
+  const MemoryFile known("known.vrt", mosaic(raster.path(), 4, "<NoDataValue>-9999</NoDataValue>"));
   Source source = read_raster(known.path(), "r", {});
   EXPECT_EQ(source.counts["cells_without_data"], 16u);
+}
+
+// The outer mosaic's value for none does not reach the gaps of the inner one.
+TEST(RequireWholeRaster, RefusesAMosaicOfOneWithGaps) {
+  const MemoryRaster raster({.cell = [](int, int) { return 7.0; }});
+  const MemoryFile gaps("gaps.vrt", mosaic(raster.path(), 4, ""));
+  for (const char* none : {"", "<NoDataValue>-9999</NoDataValue>"}) {
+    const MemoryFile outer("outer.vrt", mosaic(gaps.path(), 8, none));
+    EXPECT_TRUE(says(raster_refusal(outer.path()), "found none, in a mosaic with gaps"));
+  }
+  const MemoryFile inner("inner.vrt", mosaic(raster.path(), 8, ""));
+  const MemoryFile whole("whole.vrt", mosaic(inner.path(), 8, ""));
+  EXPECT_EQ(raster_refusal(whole.path()), "");
+}
+
+// What a warped mosaic covers, GDAL does not tell.
+TEST(RequireWholeRaster, RefusesAWarpedMosaicWithoutAValueForNone) {
+  const MemoryRaster raster({.cell = [](int, int) { return 7.0; }});
+  const auto warped = [&](std::vector<const char*> options) {
+    options.insert(options.begin(), {"-of", "VRT", "-t_srs", "EPSG:4326"});
+    options.push_back(nullptr);
+    const MemoryFile out("warped.vrt", "");
+    GDALWarpAppOptions* const asked =
+        GDALWarpAppOptionsNew(const_cast<char**>(options.data()), nullptr);
+    GDALDatasetH from = GDALOpen(raster.path().c_str(), GA_ReadOnly);
+    GDALClose(GDALWarp(out.path().c_str(), nullptr, 1, &from, asked, nullptr));
+    GDALWarpAppOptionsFree(asked);
+    GDALClose(from);
+    return raster_refusal(out.path());
+  };
+  EXPECT_TRUE(says(warped({}), "found none, in a mosaic that is turned or warped"));
+  EXPECT_EQ(warped({"-dstnodata", "-9999"}), "");
+  EXPECT_EQ(warped({"-dstalpha"}), "");
+}
+
+// What an interrupted copy leaves: GDAL gives 0 for the rows that were never written.
+TEST(RequireWholeRaster, RefusesATiffWithoutSomeOfItsRows) {
+  const auto sparse = [](double none) {
+    const MemoryFile file("sparse.tif", "");
+    char option[] = "SPARSE_OK=TRUE";
+    char rows[] = "BLOCKYSIZE=4";
+    char* options[] = {option, rows, nullptr};
+    GDALDriver& driver = *GetGDALDriverManager()->GetDriverByName("GTiff");
+    GDALDataset* const made = driver.Create(file.path().c_str(), 4, 8, 1, GDT_Float32, options);
+    double transform[] = {500000, 5, 0, 5500020, 0, -5};
+    made->SetGeoTransform(transform);
+    if (none != 0) made->GetRasterBand(1)->SetNoDataValue(none);
+    std::vector<float> upper(16, 7.0F);
+    EXPECT_EQ(made->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, 4, 4, upper.data(), 4, 4,
+                                               GDT_Float32, 0, 0, nullptr),
+              CE_None);
+    GDALClose(made);
+    return raster_refusal(file.path());
+  };
+  EXPECT_TRUE(says(sparse(0), "found none, in a TIFF without some of its parts"));
+  EXPECT_EQ(sparse(-9999), "");
 }
 
 // GDAL gives 0 for the point that is not there.
