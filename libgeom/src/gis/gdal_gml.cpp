@@ -1,9 +1,12 @@
 #include "gdal_gml.h"
 
 #include <atomic>
+#include <cmath>
 
 #include "gdal_whole.h"
 #include "geom/text/counted.h"
+#include "geom/text/text_table.h"
+#include "gml_words.h"
 
 namespace geom::gis {
 namespace {
@@ -27,6 +30,24 @@ std::size_t polygons_of(OGRGeometryH geometry) {
     count += polygons_of(gdal().part_of(geometry, i));
   }
   return count;
+}
+
+void require_metres_of_radii(const DatasetHandle& dataset, const GmlTold& told,
+                             const std::string& name) {
+  const auto refuse = [&](const std::string& found) {
+    throw InputError(name, {.item = "the radius of an arc about its centre",
+                            .expected = "metres, and coordinates in metres",
+                            .found = found,
+                            .advice = "write the arc through three points, or as a polygon"});
+  };
+  for (const std::string& uom : told.radii) {
+    const std::string unit = unit_of(uom);
+    if (unit != "m" && unit != "metre" && unit != "meter") refuse(in_quotes(uom.substr(0, 40)));
+  }
+  for (int i = 0; !told.radii.empty() && i < gdal().layer_count(dataset.get()); ++i) {
+    const auto crs = reference_of(gdal().layer_reference(gdal().layer(dataset.get(), i)), name);
+    if (crs && std::abs(crs->unit().value_or(0) - 1) > 1e-9) refuse("coordinates in another unit");
+  }
 }
 
 }  // namespace
@@ -53,6 +74,7 @@ GmlInMemory::~GmlInMemory() {
 }
 
 void require_whole_gml(const DatasetHandle& dataset, const GmlTold& told, const std::string& name) {
+  require_metres_of_radii(dataset, told, name);
   std::size_t geometries = 0;
   std::size_t polygons = 0;
   std::size_t without = 0;  // features: each is skipped by itself, and told

@@ -35,7 +35,8 @@ class GmlInMemory {
 
 // Throws InputError(name, …) where all features of the dataset together have fewer geometries, or
 // polygons in them, than the text: GDAL takes one geometry of a feature, and one polygon where the
-// standard has one.
+// standard has one. Also for arcs about a centre that are not in metres both: GDAL takes the number
+// of a radius in the unit of the coordinates, and in degrees takes east for north.
 void require_whole_gml(const DatasetHandle& dataset, const GmlTold& told, const std::string& name);
 
 }  // namespace geom::gis

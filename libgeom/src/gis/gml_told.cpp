@@ -25,6 +25,7 @@ class Listener : public XmlHandler {
       ++told.geometries;
     }
     told.polygons += kPolygons.contains(tag.name);
+    if (tag.name == "radius") told.radii.emplace(tag.attribute("uom"));
     take_system(tag);
     take_link(tag);
   }

@@ -15,6 +15,7 @@ struct GmlTold {
   std::size_t geometries = 0;     // that are in no other
   std::size_t polygons = 0;       // also as patches and triangles
   std::set<std::string> systems;  // reference systems of geometries, each as it is written
+  std::set<std::string> radii;    // units of arcs about a centre, each as it is written
   bool names_system = false;      // of geometries or of the bounds
 };
 

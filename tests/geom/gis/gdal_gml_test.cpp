@@ -108,6 +108,30 @@ TEST(ReadGml, LeavesNothingBesideTheFile) {
   EXPECT_FALSE(std::filesystem::exists(folder / "city.gfs"));
 }
 
+// GDAL takes its number in the unit of the coordinates, and in degrees takes east for north.
+TEST(ReadGml, RefusesARadiusThatIsNotInMetres) {
+  const auto refusal = [](const std::string& system, const std::string& uom) {
+    const std::string tank = member(
+        "house", fmt::format("<a:height>20</a:height><a:plan><gml:Polygon srsName=\"{}\">"
+                             "<gml:exterior><gml:Ring><gml:curveMember><gml:Curve><gml:segments>"
+                             "<gml:CircleByCenterPoint numArc=\"1\"><gml:pos>50 45</gml:pos>"
+                             "<gml:radius{}>10</gml:radius></gml:CircleByCenterPoint>"
+                             "</gml:segments></gml:Curve></gml:curveMember></gml:Ring>"
+                             "</gml:exterior></gml:Polygon></a:plan>",
+                             system, uom));
+    return refusal_of([&] { read(tank); });
+  };
+  EXPECT_EQ(refusal("EPSG:32632", " uom=\"m\""), "");
+  EXPECT_EQ(refusal("EPSG:32632", " uom=\"urn:ogc:def:uom:EPSG::metre\""), "");
+  EXPECT_TRUE(says(refusal("EPSG:32632", " uom=\"km\""),
+                   "the radius of an arc about its centre: expected metres, and coordinates in "
+                   "metres, found \"km\""));
+  EXPECT_TRUE(says(refusal("EPSG:32632", ""), "expected metres"));
+  for (const char* system : {"EPSG:4326", "urn:ogc:def:crs:EPSG::4326", "EPSG:2263"}) {
+    EXPECT_TRUE(says(refusal(system, " uom=\"m\""), "found coordinates in another unit"));
+  }
+}
+
 TEST(ReadGml, ObeysTheUnitOfAHeight) {
   const auto house = [](const std::string& unit) {
     return member("house",
