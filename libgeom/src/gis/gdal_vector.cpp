@@ -27,7 +27,7 @@ class VectorReader {
 
   Source read(const DatasetHandle& dataset, const std::string& path) {
     const std::size_t least = require_whole(dataset, path, name_);
-    require_whole_numbers(dataset, options_.height.attribute, name_);
+    require_whole_numbers(dataset, path, options_.height.attribute, name_);
     for (int i = 0; i < gdal().layer_count(dataset.get()); ++i) {
       const OGRLayerH layer = gdal().layer(dataset.get(), i);
       const auto crs = reference_of(gdal().layer_reference(layer), name_);
@@ -79,7 +79,8 @@ class VectorReader {
     }
   }
 
-  // As of "10.9" in a column that its .csvt says to be of whole numbers: GDAL reads 10.
+  // As of the number "10a" of a house in a column that is said to be of whole numbers: GDAL
+  // reads 10.
   void note_warning() {
     constexpr std::size_t kMost = 3;
     if (gdal().last_error_type() != CE_Warning) return;

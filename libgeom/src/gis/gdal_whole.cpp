@@ -7,7 +7,6 @@
 #include <initializer_list>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string_view>
 
 #include "geom/base/error.h"
@@ -221,24 +220,10 @@ class KmlHandler : public XmlHandler {
   const std::string& name_;
 };
 
-std::size_t require_kml_text(const std::string& path, const std::string& name) {
-  std::istringstream in(content_of(path, name));
-  KmlHandler handler(name);
-  read_xml(in, name, handler);
-  return handler.placemarks;
-}
-
-// Of a KMZ all KML files in it: GDAL reads one.
 std::size_t require_kml(const std::string& path, const std::string& name) {
-  if (!EQUAL(gdal().extension_of(path.c_str()), "kmz")) return require_kml_text(path, name);
-  std::size_t placemarks = 0;
-  const std::string archive = "/vsizip/" + path;
-  const ListHandle files(gdal().list_files(archive.c_str()));
-  for (char** file = files.get(); file && *file; ++file) {
-    if (!EQUAL(gdal().extension_of(*file), "kml")) continue;
-    placemarks += require_kml_text(fmt::format("{}/{}", archive, *file), name);
-  }
-  return placemarks;
+  KmlHandler handler(name);
+  for (const std::string& text : kml_texts(path, name)) read_xml(text, name, handler);
+  return handler.placemarks;
 }
 
 // GDAL's names of the formats that it reads whole, after what require_whole() refuses.
@@ -268,6 +253,18 @@ std::string content_of(const std::string& path, const std::string& name) {
   }
   const BytesHandle<GByte> owner(bytes);
   return {reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(size)};
+}
+
+std::vector<std::string> kml_texts(const std::string& path, const std::string& name) {
+  if (!EQUAL(gdal().extension_of(path.c_str()), "kmz")) return {content_of(path, name)};
+  std::vector<std::string> out;
+  const std::string archive = "/vsizip/" + path;
+  const ListHandle files(gdal().list_files(archive.c_str()));
+  for (char** file = files.get(); file && *file; ++file) {
+    if (!EQUAL(gdal().extension_of(*file), "kml")) continue;
+    out.push_back(content_of(fmt::format("{}/{}", archive, *file), name));
+  }
+  return out;
 }
 
 std::vector<std::string> files_beside(const DatasetHandle& dataset, const std::string& path) {

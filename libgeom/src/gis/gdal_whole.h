@@ -25,6 +25,9 @@ void require_whole_shapefile(const DatasetHandle& dataset, const std::string& na
 // All bytes of a file that GDAL opens. Throws InputError(name, …) where it cannot.
 std::string content_of(const std::string& path, const std::string& name);
 
+// The text of a KML file; of a KMZ those of all KML files in it, of which GDAL reads one.
+std::vector<std::string> kml_texts(const std::string& path, const std::string& name);
+
 // Paths of the files beside `path` that `dataset` is read from: of a shapefile its index, table and
 // reference system.
 std::vector<std::string> files_beside(const DatasetHandle& dataset, const std::string& path);

@@ -175,7 +175,7 @@ TEST(RequireAttribute, RefusesANameThatNothingHas) {
 TEST(ReadVector, TellsWhatGdalWarnsOf) {
   const MemoryFile types("typed.csvt", "WKT,Integer\n");
   const Source source =
-      read_text("typed.csv", "WKT,height\n\"POLYGON((0 0,9 0,9 9,0 0))\",10.9\n", ReadOptions{});
+      read_text("typed.csv", "WKT,number\n\"POLYGON((0 0,9 0,9 9,0 0))\",10.9\n", ReadOptions{});
   ASSERT_FALSE(source.warnings.empty());
   EXPECT_TRUE(source.warnings.front().starts_with("GDAL warns: "));
   EXPECT_TRUE(read_square(0, 0, R"("height":9)").warnings.empty());
