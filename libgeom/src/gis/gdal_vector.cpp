@@ -27,6 +27,9 @@ class VectorReader {
 
   Source read(const DatasetHandle& dataset, const std::string& path) {
     const std::size_t least = require_whole(dataset, path, name_);
+    // GDAL makes a hole of any ring within another there.
+    clockwise_outlines_ =
+        std::string_view(gdal().driver_name(gdal().driver_of(dataset.get()))) == "ESRIJSON";
     require_whole_numbers(dataset, path, options_.height.attribute, name_);
     for (int i = 0; i < gdal().layer_count(dataset.get()); ++i) {
       const OGRLayerH layer = gdal().layer(dataset.get(), i);
@@ -224,14 +227,31 @@ class VectorReader {
       f.bottom = height.bottom;
       f.top = height.top;
       f.bulge = gap;
+      std::vector<std::vector<Vec2>> outlines;
       for (int k = 0; k < gdal().part_count(polygon); ++k) {
-        (k == 0 ? f.polygon.outer : f.polygon.holes.emplace_back()) =
-            points_of(gdal().part_of(polygon, k), f.id);
+        std::vector<Vec2> ring = points_of(gdal().part_of(polygon, k), f.id);
+        const bool outline = k == 0 || (clockwise_outlines_ && is_clockwise(ring));
+        (outline ? outlines : f.polygon.holes).push_back(std::move(ring));
       }
-      levels_.push_back(levels_of(polygon));
-      solid_ |= levels_.back().low < levels_.back().high && stands_upright(f.polygon.outer);
-      out_.footprints.push_back(std::move(f));
+      const Levels levels = levels_of(polygon);
+      for (std::vector<Vec2>& outline : outlines) {
+        solid_ |= levels.low < levels.high && stands_upright(outline);
+        f.polygon.outer = std::move(outline);
+        levels_.push_back(levels);
+        out_.footprints.push_back(f);
+        f.polygon.holes.clear();  // they are in the first
+      }
     }
+  }
+
+  static bool is_clockwise(const std::vector<Vec2>& ring) {
+    double twice_area = 0;
+    for (std::size_t i = 2; i < ring.size(); ++i) {
+      const Vec2 a = ring[i - 1] - ring[0];
+      const Vec2 b = ring[i] - ring[0];
+      twice_area += a.x() * b.y() - a.y() * b.x();
+    }
+    return twice_area < 0;
   }
 
   // The heights that a polygon's own corners give.
@@ -306,8 +326,9 @@ class VectorReader {
   const std::string& name_;
   const ReadOptions& options_;
   std::size_t features_ = 0;
-  std::optional<double> unit_;  // of heights that name none, where it is clear
-  OGRLayerH handle_ = nullptr;  // of the layer
+  bool clockwise_outlines_ = false;  // a ring that turns so is the outline of something solid
+  std::optional<double> unit_;       // of heights that name none, where it is clear
+  OGRLayerH handle_ = nullptr;       // of the layer
   std::string layer_;
   std::map<std::string, std::vector<int>, std::less<>> fields_;  // of the layer, by what they tell
   std::string which_;                                            // the feature that is read

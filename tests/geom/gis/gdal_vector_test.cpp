@@ -171,6 +171,25 @@ TEST(RequireAttribute, RefusesANameThatNothingHas) {
                geom::InputError);
 }
 
+// In Esri's formats the direction tells a hole, whatever is within what.
+TEST(ReadVector, ARingOfEsriThatTurnsClockwiseIsNoHole) {
+  const auto read = [](const std::string& inner) {
+    return read_text("rings.json",
+                     R"({"geometryType":"esriGeometryPolygon","fields":[{"name":"height",)"
+                     R"("type":"esriFieldTypeDouble"}],"features":[{"attributes":{"height":9},)"
+                     R"("geometry":{"rings":[[[0,0],[0,9],[9,9],[9,0],[0,0]],)" +
+                         inner + "]}}]}",
+                     ReadOptions{});
+  };
+  const Source hole = read("[[3,3],[6,3],[6,6],[3,6],[3,3]]");
+  ASSERT_EQ(hole.footprints.size(), 1u);
+  EXPECT_FALSE(contains(hole.footprints[0].polygon, {5, 5}));
+  const Source solid = read("[[3,3],[3,6],[6,6],[6,3],[3,3]]");
+  ASSERT_EQ(solid.footprints.size(), 2u);
+  EXPECT_TRUE(contains(solid.footprints[0].polygon, {5, 5}));
+  EXPECT_EQ(solid.footprints[1].top, 9);
+}
+
 // Its numbers are whole there, so GDAL cuts them.
 TEST(ReadVector, TellsWhatGdalWarnsOf) {
   const MemoryFile types("typed.csvt", "WKT,Integer\n");
