@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "gdal_journal.h"
 #include "gdal_library.h"
 #include "geom/base/error.h"
 #include "required_reference.h"
@@ -51,8 +52,9 @@ struct FreeBytes {
 template <class Byte>
 using BytesHandle = std::unique_ptr<Byte, FreeBytes>;
 
-// For reading; null where GDAL cannot.
+// For reading; null where GDAL cannot. Throws as require_no_journal.
 inline DatasetHandle opened(const std::string& path, unsigned kind) {
+  require_no_journal(path);
   return DatasetHandle(
       gdal().open(path.c_str(), kind | GDAL_OF_READONLY, nullptr, nullptr, nullptr));
 }

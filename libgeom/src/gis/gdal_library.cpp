@@ -82,6 +82,7 @@ GdalLibrary load() {
           .set_filter = SKYWAY_FUNCTION(library, OGR_L_SetAttributeFilter),
           .rewind = SKYWAY_FUNCTION(library, OGR_L_ResetReading),
           .layer_field_index = SKYWAY_FUNCTION(library, OGR_FD_GetFieldIndex),
+          .layer_geometry_count = SKYWAY_FUNCTION(library, OGR_FD_GetGeomFieldCount),
           .layer_field_count = SKYWAY_FUNCTION(library, OGR_FD_GetFieldCount),
           .layer_field = SKYWAY_FUNCTION(library, OGR_FD_GetFieldDefn),
           .create_feature = SKYWAY_FUNCTION(library, OGR_L_CreateFeature),

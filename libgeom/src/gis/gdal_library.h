@@ -87,6 +87,7 @@ struct GdalLibrary {
   decltype(&OGR_L_SetAttributeFilter) set_filter;
   decltype(&OGR_L_ResetReading) rewind;
   decltype(&OGR_FD_GetFieldIndex) layer_field_index;
+  decltype(&OGR_FD_GetGeomFieldCount) layer_geometry_count;
   decltype(&OGR_FD_GetFieldCount) layer_field_count;
   decltype(&OGR_FD_GetFieldDefn) layer_field;
   decltype(&OGR_L_CreateFeature) create_feature;

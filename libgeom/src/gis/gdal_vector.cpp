@@ -31,14 +31,17 @@ class VectorReader {
     clockwise_outlines_ =
         std::string_view(gdal().driver_name(gdal().driver_of(dataset.get()))) == "ESRIJSON";
     require_whole_numbers(dataset, path, options_.height.attribute, name_);
+    bool any = false;
     for (int i = 0; i < gdal().layer_count(dataset.get()); ++i) {
       const OGRLayerH layer = gdal().layer(dataset.get(), i);
+      if (is_of_qgis(layer)) continue;
       const auto crs = reference_of(gdal().layer_reference(layer), name_);
-      if (i > 0 && (crs ? crs->told().crs : "") != (out_.crs ? out_.crs->told().crs : "")) {
+      if (any && (crs ? crs->told().crs : "") != (out_.crs ? out_.crs->told().crs : "")) {
         throw InputError(
             name_, {.expected = "one coordinate reference system in all layers",
                     .found = fmt::format("another in layer \"{}\"", gdal().layer_name(layer))});
       }
+      any = true;
       out_.crs = crs;
       unit_ = height_unit(crs, name_, options_);
       read_layer(layer);
@@ -53,6 +56,13 @@ class VectorReader {
   }
 
  private:
+  // How QGIS draws the other tables, and what it was doing: no places.
+  static bool is_of_qgis(OGRLayerH layer) {
+    const std::string_view name = gdal().layer_name(layer);
+    return (name == "layer_styles" || name == "qgis_projects") &&
+           gdal().layer_geometry_count(gdal().layer_definition(layer)) == 0;
+  }
+
   void read_layer(OGRLayerH layer) {
     gdal().forget_errors();
     layer_ = gdal().layer_name(layer);

@@ -4,6 +4,8 @@
 #include "geom/base/error.h"
 #include "geom/gis/footprint_source.h"
 #include "support/memory_file.h"
+#include "support/shape_files.h"
+#include "support/temporary_folder.h"
 
 namespace geom::gis {
 namespace {
@@ -169,6 +171,27 @@ TEST(RequireAttribute, RefusesANameThatNothingHas) {
       require_attribute(read_square(0, 0, R"("h_max":19)", options), options, "x.geojson"));
   EXPECT_THROW(require_attribute(read_square(0, 0, R"("h":19)", options), options, "x.geojson"),
                geom::InputError);
+}
+
+// QGIS keeps the styles of layers in such a table, which has no reference system.
+TEST(ReadVector, PassesOverTheTableOfStylesOfQgis) {
+  const support::TemporaryFolder folder;
+  const std::string path = folder / "city.gpkg";
+  write_layer("GPKG", path, {{{{0, 0}, {9, 0}, {9, 9}}, {0, 0, 0}, 5}});
+  const auto add = [&](const char* table) {
+    GDALDataset* const made = static_cast<GDALDataset*>(
+        GDALOpenEx(path.c_str(), GDAL_OF_UPDATE, nullptr, nullptr, nullptr));
+    OGRLayer* const layer = made->CreateLayer(table, nullptr, wkbNone, nullptr);
+    OGRFeature row(layer->GetLayerDefn());
+    EXPECT_EQ(layer->CreateFeature(&row), OGRERR_NONE);
+    GDALClose(made);
+  };
+  add("layer_styles");
+  const Source source = read_vector(path, path, {});
+  EXPECT_EQ(source.footprints.size(), 1u);
+  EXPECT_TRUE(source.skipped.empty());
+  add("heights");
+  EXPECT_EQ(read_vector(path, path, {}).skipped.count(), 1u);
 }
 
 // In Esri's formats the direction tells a hole, whatever is within what.
