@@ -138,6 +138,7 @@ void lift(Source& source, const Terrain& terrain, const Frame& frame) {
     way = required_way(ProjWay::to_plane(*terrain.crs(), *frame.origin), *terrain.crs(),
                        terrain.name());
   }
+  std::vector<Footprint> lifted;
   for (Footprint& f : source.footprints) {
     const Reach reach(f.polygon.outer);
     const auto ground = terrain.range(reach.low, reach.high, way);
@@ -154,7 +155,9 @@ void lift(Source& source, const Terrain& terrain, const Frame& frame) {
     f.bottom += ground->low;
     f.top += ground->high;
     for (double& height : f.heights) height += ground->high;
+    lifted.push_back(std::move(f));
   }
+  source.footprints = std::move(lifted);
 }
 
 void sink_ground(std::vector<Footprint>& footprints, std::optional<double> floor) {

@@ -398,6 +398,7 @@ TEST(Lift, SkipsAFootprintThatReachesBeyondTheTerrain) {
   expect_partly_without_terrain(lifted(raster, {90, -1}, {95, 10}), "south");
   const Source nowhere = lifted(raster, {200, 10}, {210, 30});
   EXPECT_EQ(nowhere.skipped.text(), "1 x footprint without ground under it (feature 0)");
+  EXPECT_TRUE(nowhere.footprints.empty()) << "it would stand at 0";
 }
 
 TEST(Lift, RefusesATerrainWhoseDatumIsNotTied) {

@@ -24,7 +24,7 @@ void project(Source& source, const Projector& projector, double slack);
 
 // Down to the lowest point of the ground under it, and as high above the highest. Those without
 // ground under them, or under a part of the rectangle around them, are skipped: where they stand is
-// not known. The latter are lifted by the ground that is known.
+// not known. The first are taken out, and the latter lifted by the ground that is known.
 void lift(Source& source, const Terrain& terrain, const Frame& frame);
 
 // What is ground is solid: down to the lowest of all footprints, and to the floor of the map (in
