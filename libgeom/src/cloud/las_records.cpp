@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <set>
 #include <vector>
 
 #include "geom/base/error.h"
@@ -70,37 +72,66 @@ class References {
   std::string text_;
 };
 
+// The bytes between the header and the points, in pieces: a header may lie about how many they are.
+std::string records_area(std::istream& in, const LasHeader& h, std::string_view source) {
+  constexpr std::uint64_t kPiece = 1 << 20;
+  std::string out;
+  for (std::uint64_t left = h.data - h.size; left > 0;) {
+    const std::size_t had = out.size();
+    const std::uint64_t piece = std::min(kPiece, left);
+    out.resize(had + piece);
+    in.read(out.data() + had, static_cast<std::streamsize>(piece));
+    if (static_cast<std::uint64_t>(in.gcount()) < piece) {
+      refuse(source,
+             {.says = fmt::format("expected points at byte {}, and the file ends before", h.data)});
+    }
+    left -= piece;
+  }
+  return out;
+}
+
+// A record that describes the coordinates and is none of those at `heads`: the length of one before
+// it is wrong, or the number of all.
+void require_no_lost_reference(std::string_view area, const std::set<std::size_t>& heads,
+                               std::string_view source) {
+  constexpr std::string_view kUser("LASF_Projection\0", 16);
+  for (std::size_t at = 0; (at = area.find(kUser, at)) != area.npos; ++at) {
+    if (at < 2 || at + 18 > area.size() || heads.contains(at - 2)) continue;
+    const auto id =
+        number_at<std::uint16_t>(reinterpret_cast<const unsigned char*>(area.data()) + at + 16);
+    if (id != 2112 && id != 34735 && id != 34736) continue;
+    refuse(source, {.says = "a record of its reference system stands where no record begins",
+                    .advice = "the lengths or the number of its records are wrong: write the file "
+                              "anew, for example with `pdal translate`"});
+  }
+}
+
 }  // namespace
 
 // The records before the points, of 54 bytes and what these announce each.
 LasRecords read_las_records(std::istream& in, const LasHeader& h, std::string_view source) {
   References references(source);
   LasRecords out;
-  std::uint64_t left = h.data - h.size;
-  const auto cut_short = [&] {
-    refuse(source,
-           {.says = fmt::format("expected points at byte {}, and the file ends before", h.data)});
-  };
+  const std::string area = records_area(in, h, source);
+  std::set<std::size_t> heads;
+  std::size_t at = 0;
   for (std::uint32_t i = 0; i < h.records; ++i) {
-    unsigned char head[kRecordHead];
-    if (left < kRecordHead) {
+    if (area.size() - at < kRecordHead) {
       refuse(source,
              {.says = fmt::format("expected {} records before the points at byte {}, and {} fit",
                                   h.records, h.data, i)});
     }
-    in.read(reinterpret_cast<char*>(head), kRecordHead);
-    if (static_cast<std::size_t>(in.gcount()) < kRecordHead) cut_short();
-    left -= kRecordHead;
+    heads.insert(at);
+    const auto* const head = reinterpret_cast<const unsigned char*>(area.data()) + at;
+    at += kRecordHead;
     const std::uint16_t length = number_at<std::uint16_t>(head + 20);
-    if (length > left) {
+    if (length > area.size() - at) {
       refuse(source,
              {.says = fmt::format("record {} of {} bytes reaches beyond the points at byte {}", i,
                                   length, h.data)});
     }
-    std::string data(length, '\0');
-    in.read(data.data(), length);
-    if (in.gcount() < length) cut_short();
-    left -= length;
+    const std::string data = area.substr(at, length);
+    at += length;
     const std::string user(reinterpret_cast<const char*>(head + 2),
                            strnlen(reinterpret_cast<const char*>(head + 2), 16));
     const auto id = number_at<std::uint16_t>(head + 18);
@@ -110,8 +141,7 @@ LasRecords read_las_records(std::istream& in, const LasHeader& h, std::string_vi
       out.laz = parse_laz_setup(data, h.format, h.record, source);
     }
   }
-  in.ignore(static_cast<std::streamsize>(left));
-  if (static_cast<std::uint64_t>(in.gcount()) < left) cut_short();
+  require_no_lost_reference(area, heads, source);
   if (h.compressed && !out.laz) {
     refuse(source, {.says = "its points are compressed, and no record \"laszip encoded\" says how",
                     .advice = "the file is damaged"});

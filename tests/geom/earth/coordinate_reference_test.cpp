@@ -126,6 +126,34 @@ TEST(Las, RefusesReferencesOfOtherPlacesOrOtherUnitsOfHeight) {
   EXPECT_THROW(told_by(file_of(feet_up, 32610, 9003)), geom::InputError);  // two kinds of feet
 }
 
+// A record that is said to be shorter or longer than it is hides those behind it, and so does a
+// count of fewer records.
+TEST(Las, RefusesAReferenceThatWrongLengthsHide) {
+  LasFile file;
+  file.points = {{1, 2, 3}};
+  file.records = {{"other", 7, std::string(60, '\0')},
+                  LasFile::geo_keys({{1024, 1}, {3072, 32610}})};
+  const std::string whole = file.bytes();
+  constexpr std::size_t kCount = 100;
+  constexpr std::size_t kLength = 227 + 20;
+  const auto is_told = [&](std::size_t place, std::uint16_t value) {
+    std::string bytes = whole;
+    std::memcpy(bytes.data() + place, &value, sizeof value);
+    std::istringstream in(bytes);
+    bool known = false;
+    geom::read_las(
+        in, "t", [](auto) {},
+        [&](const CoordinateReference& told) { known = told.kind != Kind::none; });
+    return known;
+  };
+  EXPECT_TRUE(is_told(kLength, 60));
+  for (std::uint16_t length = 0; length < 200; ++length) {
+    if (length != 60) EXPECT_THROW(is_told(kLength, length), geom::InputError) << length;
+  }
+  EXPECT_THROW(is_told(kCount, 1), geom::InputError);
+  EXPECT_THROW(is_told(kCount, 0), geom::InputError);
+}
+
 TEST(Las, RefusesPointsThatTheHeaderDoesNotCount) {
   LasFile file;
   file.points = {{1, 2, 3}, {4, 5, 6}};
