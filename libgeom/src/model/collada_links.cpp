@@ -90,7 +90,10 @@ class Links {
       at = end;
       last = end + 1;
     }
-    for (const Accessor& accessor : accessors_) require_within(accessor);
+    for (const Accessor& accessor : accessors_) {
+      require_within(accessor);
+      require_places(accessor);
+    }
     for (const std::string& geometry : placed_) {
       if (!geometries_.contains(geometry)) lose(geometry, "geometry");
     }
@@ -106,7 +109,9 @@ class Links {
     std::string_view source;
     double numbers;  // that it reaches to
     double stride;
+    std::string owner;  // the <source> that it stands in
     double params = 0;
+    std::string names;
   };
 
   [[noreturn]] void refuse(Fault fault) const { throw InputError(source_, std::move(fault)); }
@@ -174,6 +179,7 @@ class Links {
               .advice = "write its nodes with matrices"});
     }
     if (name == "/rotate") require_axis();
+    if (name == "/matrix") require_affine();
     if (name == "instance_controller") {
       refuse({.says = "bones or morphs move its meshes (<instance_controller>)",
               .advice = "write one state of it"});
@@ -223,12 +229,17 @@ class Links {
     } else if (name == "accessor") {
       const double stride = count_of(tag, "stride", 1);
       const double numbers = count_of(tag, "offset", 0) + stride * count_of(tag, "count", 0);
-      accessors_.push_back({attribute(tag, "source"), numbers, stride});
+      accessors_.push_back({attribute(tag, "source"), numbers, stride, open_source_});
       in_accessor_ = !tag.ends_with('/');
     } else if (name == "/accessor") {
       in_accessor_ = false;
     } else if (name == "param" && in_accessor_) {
       ++accessors_.back().params;
+      accessors_.back().names += attribute(tag, "name");
+    } else if (name == "source") {
+      open_source_ = id;
+    } else if (name == "input" && attribute(tag, "semantic") == "POSITION") {
+      positions_.emplace(attribute(tag, "source"));
     }
   }
 
@@ -242,6 +253,23 @@ class Links {
                                     excerpt(accessor.source)),
             .found = fmt::format("one to {}, {} at a time of {}", accessor.numbers, accessor.params,
                                  accessor.stride)});
+  }
+
+  // Without one of these names assimp takes x for y or z.
+  void require_places(const Accessor& accessor) const {
+    if (!positions_.contains("#" + accessor.owner) || accessor.names == "XYZ") return;
+    refuse({.expected = "positions to have the <param> names X, Y and Z",
+            .found =
+                fmt::format("\"{}\" in \"{}\"", excerpt(accessor.names), excerpt(accessor.owner))});
+  }
+
+  // A last row that assimp passes over.
+  void require_affine() const {
+    const std::vector<double> v = numbers_of(before_);
+    const bool whole = v.size() == 16;
+    if (whole && v[12] == 0 && v[13] == 0 && v[14] == 0 && v[15] == 1) return;
+    refuse({.expected = "<matrix> to have 16 numbers, the last row 0 0 0 1",
+            .found = in_quotes(excerpt(before_))});
   }
 
   // Of others assimp makes 0, and all triangles are one point. It takes the unit of the file for
@@ -309,7 +337,9 @@ class Links {
   std::vector<std::string> open_;         // nodes
   std::map<std::string, double> arrays_;  // by id: how many numbers
   std::vector<Accessor> accessors_;
-  std::string_view before_;  // the text between the last tag and this one
+  std::string open_source_;          // the id of the last <source>
+  std::set<std::string> positions_;  // urls of sources
+  std::string_view before_;          // the text between the last tag and this one
   std::string_view up_ = "Y_UP";
   double unit_ = 1;  // metres
   bool text_before_aside_ = false;
