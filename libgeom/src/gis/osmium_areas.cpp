@@ -5,6 +5,7 @@
 #include <new>
 #include <osmium/area/assembler.hpp>
 #include <osmium/area/multipolygon_manager.hpp>
+#include <osmium/area/problem_reporter.hpp>
 #include <osmium/handler.hpp>
 #include <osmium/handler/check_order.hpp>
 #include <osmium/handler/node_locations_for_ways.hpp>
@@ -43,11 +44,27 @@ using Locations = osmium::handler::NodeLocationsForWays<Index, Index>;
 
 Vec2 point_of(const osmium::Location& at) { return {at.lon(), at.lat()}; }
 
+// Relations of which a ring within another is said to be an outline ("outer"): osmium goes by the
+// places of rings alone, and makes a hole of it.
+class OutlinesWithin : public osmium::area::ProblemReporter {
+ public:
+  bool contains(osmium::object_id_type relation) const { return relations_.contains(relation); }
+
+  void report_role_should_be_inner(osmium::object_id_type, osmium::Location,
+                                   osmium::Location) override {
+    relations_.insert(m_object_id);
+  }
+
+ private:
+  std::set<osmium::object_id_type> relations_;
+};
+
 // Ways as they are, so that one that crosses itself is there too; relations as osmium assembles
 // them, and what it cannot assemble by number.
 class BuildingHandler : public osmium::handler::Handler {
  public:
-  BuildingHandler(const ReadOptions& options, Source& out) : options_(options), out_(out) {}
+  BuildingHandler(const ReadOptions& options, const OutlinesWithin& outlines_within, Source& out)
+      : options_(options), outlines_within_(outlines_within), out_(out) {}
 
   void node(const osmium::Node& node) {
     if (node.tags().empty()) return;
@@ -105,11 +122,13 @@ class BuildingHandler : public osmium::handler::Handler {
   void area(const osmium::Area& area) {
     if (area.from_way() || !is_built(tags_of(area)) || !is_named(tags_of(area))) return;
     std::vector<Footprint> parts;
+    const bool solid = outlines_within_.contains(area.orig_id());
+    if (solid) ++out_.counts["multipolygons_without_their_holes"];
     for (const osmium::OuterRing& outer : area.outer_rings()) {
       Footprint& f = parts.emplace_back();
       f.polygon.outer = points_of(outer);
       for (const osmium::InnerRing& inner : area.inner_rings(outer)) {
-        f.polygon.holes.push_back(points_of(inner));
+        if (!solid) f.polygon.holes.push_back(points_of(inner));
       }
     }
     if (parts.empty()) return;
@@ -194,6 +213,7 @@ class BuildingHandler : public osmium::handler::Handler {
   }
 
   const ReadOptions& options_;
+  const OutlinesWithin& outlines_within_;
   Source& out_;
   std::set<osmium::object_id_type> assembled_;
   std::map<std::string, std::size_t> types_;
@@ -357,14 +377,17 @@ Source read_buildings(const osmium::io::File& file, const std::string& name,
                       const ReadOptions& options, const Each& each) {
   Source out;
   out.crs = required_reference("EPSG:4326", name);
-  osmium::area::MultipolygonManager<osmium::area::Assembler> manager(
-      osmium::area::Assembler::config_type{});
+  OutlinesWithin outlines_within;
+  osmium::area::Assembler::config_type config;
+  config.problem_reporter = &outlines_within;
+  config.check_roles = true;
+  osmium::area::MultipolygonManager<osmium::area::Assembler> manager(config);
   osmium::relations::read_relations(file, manager);
   Index index;
   Index index_of_new;  // nodes that an editor has made and no server numbered: negative ids
   Locations locations(index, index_of_new);
   locations.ignore_errors();  // a node that is not in the extract: skipped with its way
-  BuildingHandler buildings(options, out);
+  BuildingHandler buildings(options, outlines_within, out);
   each(locations, buildings,
        manager.handler([&](osmium::memory::Buffer&& buffer) { osmium::apply(buffer, buildings); }));
   add_hulls(file, locations, buildings, out);
