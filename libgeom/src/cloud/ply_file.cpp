@@ -27,6 +27,14 @@ bool PlyElement::holds_indices() const {
   return whole >= 2;
 }
 
+bool PlyElement::holds_places() const {
+  return count > 0 && find("x", false) && find("y", false) && find("z", false);
+}
+
+bool PlyElement::holds_splats() const {
+  return holds_places() && find("scale_0", false) && find("rot_0", false);
+}
+
 PlyFile::PlyFile(std::istream& in, std::string_view source) : in_(in), source_(source) {
   read_header();
 }

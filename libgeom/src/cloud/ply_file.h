@@ -31,6 +31,12 @@ struct PlyElement {
   // Whether its rows may join vertices to lines or surfaces: it is an edge, has a list, or
   // two whole numbers. Cameras and materials, as programs write them, do not.
   bool holds_indices() const;
+
+  // Whether its rows are places: they have x, y and z.
+  bool holds_places() const;
+
+  // Whether its rows are splats of a radiance field, which reach beyond their places.
+  bool holds_splats() const;
 };
 
 // The numbers of one of an element, property by property: lists have any number of them.

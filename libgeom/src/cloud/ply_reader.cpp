@@ -32,8 +32,16 @@ CloudCounts read_ply(std::istream& in, std::string_view source, const PointSink&
     if (element.name == "vertex") {
       read_points(file, element, chunks);
       points = true;
+      if (element.holds_splats()) {
+        skipped.add("splats, which reach beyond their points",
+                    fmt::format("element vertex {}", element.count));
+      }
     } else {
       file.for_each_row(element, [](const PlyRow&, std::uint64_t) {});
+      if (element.holds_places()) {
+        skipped.add("points of another element than \"vertex\"",
+                    fmt::format("element {} {}", element.name.substr(0, 40), element.count));
+      }
     }
     // A grid of a range scan has at most one vertex a row.
     const bool grid = element.name == "range_grid";

@@ -28,7 +28,7 @@ class PlyModel {
         read_faces(element);
       } else {
         file_.for_each_row(element, [](const PlyRow&, std::uint64_t) {});
-        if (element.holds_indices()) {
+        if (element.holds_indices() || element.holds_places()) {
           model_.skipped.add("element " + element.name.substr(0, 40),
                              fmt::format("{} of them", element.count));
         }

@@ -273,6 +273,22 @@ TEST(Ply, PassesOverAnElementWithoutPropertiesWhateverItsCount) {
   EXPECT_EQ(read_ply(in, "test.ply", [](std::span<const CloudPoint>) {}).read, 1u);
 }
 
+TEST(Ply, CountsPointsThatItDoesNotRead) {
+  const auto kinds = [](const std::string& more) {
+    std::istringstream in(
+        "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+        "property float z\n" +
+        more);
+    return read_ply(in, "test.ply", [](std::span<const CloudPoint>) {}).skipped.text();
+  };
+  EXPECT_EQ(kinds("end_header\n1 2 3\n"), "");
+  EXPECT_EQ(kinds("element point 1\nproperty float x\nproperty float y\nproperty float z\n"
+                  "end_header\n1 2 3\n4 5 6\n"),
+            "1 x points of another element than \"vertex\" (element point 1)");
+  EXPECT_EQ(kinds("property float scale_0\nproperty float rot_0\nend_header\n1 2 3 0 1\n"),
+            "1 x splats, which reach beyond their points (element vertex 1)");
+}
+
 // LAS 1.4 of format 0 that says so many points.
 std::string las(std::uint32_t count) {
   std::string bytes(375, '\0');
