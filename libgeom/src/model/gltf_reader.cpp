@@ -38,6 +38,9 @@ Transform local_transform(const JsonMembers& node) {
     if (out.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) {
       node.refuse({.expected = "a matrix whose last row is 0, 0, 0, 1"});
     }
+    if (node.has("translation") || node.has("rotation") || node.has("scale")) {
+      node.refuse({.expected = "a matrix, or translation, rotation and scale", .found = "both"});
+    }
     return out;
   }
   if (const auto s = node.numbers("scale", 3)) {

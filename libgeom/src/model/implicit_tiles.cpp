@@ -67,7 +67,7 @@ void ImplicitTiles::require_pattern(const JsonMembers& at, const std::string& pa
 
 bool ImplicitTiles::read() {
   const Tile root;
-  return visit(load(root), root, 0, 0).content;
+  return visit(load(root), root, 0, 0).whole;
 }
 
 Subtree ImplicitTiles::load(const Tile& root) {
@@ -101,7 +101,7 @@ ImplicitTiles::Made ImplicitTiles::visit(const Subtree& subtree, const Tile& til
   if (++visited_ > kMostTiles) {
     throw InputError(path_, {.says = fmt::format("more than {} implicit tiles", kMostTiles)});
   }
-  Below below{true, false};
+  bool below = true;
   bool any_child = false;
   for (std::uint64_t c = 0; c < shape_.branches; ++c) {
     const Tile child{tile.level + 1, 2 * tile.x + (c & 1), 2 * tile.y + (c >> 1 & 1),
@@ -109,10 +109,9 @@ ImplicitTiles::Made ImplicitTiles::visit(const Subtree& subtree, const Tile& til
     const Made made = visit(subtree, child, level + 1, shape_.branches * i + c);
     if (!made.there) continue;
     any_child = true;
-    below.all &= made.content;
-    below.any |= made.content;
+    below &= made.whole;
   }
-  below.all &= any_child;
+  below &= any_child;
   std::vector<std::string> uris;
   for (std::size_t k = 0; k < contents_.size(); ++k) {
     if (subtree.has_content(k, level, i)) uris.push_back(uri(contents_[k], tile));

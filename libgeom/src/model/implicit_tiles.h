@@ -15,22 +15,17 @@ namespace geom {
 
 class ImplicitTiles {
  public:
-  // What tiles below one have: whether there are some and all have content, and whether any has.
-  struct Below {
-    bool all = false;
-    bool any = false;
-  };
-  // Reads the contents of a tile, by their URIs, after all tiles below it; whether it, or one
-  // below, has any.
+  // Reads the contents of a tile, by their URIs, after all tiles below it. `below`: whether there
+  // are some and all of them are whole. Whether it is whole: it has content, or they are.
   using ReadTile =
-      std::function<bool(const std::vector<std::string>& uris, Below, std::size_t level)>;
+      std::function<bool(const std::vector<std::string>& uris, bool below, std::size_t level)>;
 
   // Of a tile with "implicitTiling" in the tileset at `path`; `contents`: its templates of URIs.
   ImplicitTiles(const JsonMembers& tile, std::vector<std::string> contents, const std::string& path,
                 const ModelFiles& files, ReadTile read);
 
-  // Whether any tile has content. Throws InputError for what is malformed, and for a tile below the
-  // levels that the tileset says.
+  // Whether the first tile is whole. Throws InputError for what is malformed, and for a tile below
+  // the levels that the tileset says.
   bool read();
 
  private:
@@ -42,7 +37,7 @@ class ImplicitTiles {
   };
   struct Made {
     bool there = false;
-    bool content = false;
+    bool whole = false;
   };
 
   Subtree load(const Tile& root);

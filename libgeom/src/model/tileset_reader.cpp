@@ -54,11 +54,10 @@ class TilesetReader {
   }
 
  private:
-  using Made = bool;  // whether a tile, or one below it, has content
-  using Below = ImplicitTiles::Below;
+  using Whole = bool;  // whether a tile has content, or else all those below it are whole
 
-  Made read_tileset_file(const std::string& path, const std::string& bytes, const Transform& place,
-                         std::size_t depth) {
+  Whole read_tileset_file(const std::string& path, const std::string& bytes, const Transform& place,
+                          std::size_t depth) {
     if (!open_.insert(path).second) {
       throw InputError(path, {.says = "this tileset is within itself"});
     }
@@ -75,9 +74,9 @@ class TilesetReader {
           {.says = fmt::format("it requires the extension {}, which is not read", shown(name))});
     }
     if (!root.has("root")) root.refuse({.expected = "\"root\"", .found = "none"});
-    const Made made = read_tile({json.at("root"), path, "root"}, path, place, "", depth);
+    const Whole whole = read_tile({json.at("root"), path, "root"}, path, place, "", depth);
     open_.erase(path);
-    return made;
+    return whole;
   }
 
   // Older writers have content that is z up already and say so; the standard has no such word.
@@ -103,8 +102,8 @@ class TilesetReader {
     return out;
   }
 
-  Made read_tile(const JsonMembers& tile, const std::string& path, const Transform& above,
-                 const std::string& refine_above, std::size_t depth) {
+  Whole read_tile(const JsonMembers& tile, const std::string& path, const Transform& above,
+                  const std::string& refine_above, std::size_t depth) {
     if (depth > kDeepest) tile.refuse({.says = fmt::format("more than {} tiles deep", kDeepest)});
     if (tile.members("extensions").contains("3DTILES_implicit_tiling")) {
       tile.refuse({.says = "3DTILES_implicit_tiling is not read", .advice = "write version 1.1"});
@@ -115,30 +114,28 @@ class TilesetReader {
       tile.refuse({.expected = "refine ADD or REPLACE", .found = in_quotes(refine.substr(0, 20))});
     }
     if (tile.has("implicitTiling")) {
-      const auto read = [&](const std::vector<std::string>& uris, Below below, std::size_t level) {
+      const auto read = [&](const std::vector<std::string>& uris, bool below, std::size_t level) {
         return read_contents(uris, below, refine, path, place, depth + level);
       };
       return ImplicitTiles(tile, contents_of(tile), path, files_, read).read();
     }
     const std::size_t children = tile.list("children").size();
-    Below below{children > 0, false};
+    bool below = children > 0;
     for (std::size_t i = 0; i < children; ++i) {
-      const Made made = read_tile(tile.at("children", i, "tile"), path, place, refine, depth + 1);
-      below.all &= made;
-      below.any |= made;
+      below &= read_tile(tile.at("children", i, "tile"), path, place, refine, depth + 1);
     }
     return read_contents(contents_of(tile), below, refine, path, place, depth);
   }
 
   // Of a tile, when those below it are read.
-  Made read_contents(const std::vector<std::string>& uris, Below below, const std::string& refine,
-                     const std::string& path, const Transform& place, std::size_t depth) {
-    const bool replaced = refine == "REPLACE" && below.all;
-    bool any = below.any;
+  Whole read_contents(const std::vector<std::string>& uris, bool below, const std::string& refine,
+                      const std::string& path, const Transform& place, std::size_t depth) {
+    const bool replaced = refine == "REPLACE" && below;
+    bool whole = below;
     for (const std::string& uri : uris) {
-      any |= read_content(path_of_uri(uri, path, path), replaced, place, depth);
+      whole |= read_content(path_of_uri(uri, path, path), replaced, place, depth);
     }
-    return any;
+    return whole;
   }
 
   static std::vector<std::string> contents_of(const JsonMembers& tile) {
@@ -162,8 +159,8 @@ class TilesetReader {
 
   // `replaced`: tiles below are finer. A tileset is no coarser content: it has tiles of its own, of
   // whatever size.
-  Made read_content(const std::string& path, bool replaced, const Transform& place,
-                    std::size_t depth) {
+  Whole read_content(const std::string& path, bool replaced, const Transform& place,
+                     std::size_t depth) {
     if (++files_read_ > kMostFiles) {
       throw InputError(path, {.says = fmt::format("more than {} files of tiles", kMostFiles)});
     }
@@ -191,8 +188,8 @@ class TilesetReader {
 
   // Positions are y up in the glTF, and z up in the tile (OGC 22-025r4, 6.7.1.6.2), unless the
   // tileset says otherwise.
-  Made add(GltfModel content, const Transform& place, const std::vector<std::string>& names,
-           const std::string& path) {
+  Whole add(GltfModel content, const Transform& place, const std::vector<std::string>& names,
+            const std::string& path) {
     const auto first = static_cast<std::uint32_t>(model_.mesh.vertices.size());
     if (content.mesh.vertices.size() > std::numeric_limits<std::uint32_t>::max() - first) {
       throw InputError(path, {.says = "more than 2^32 vertices in all tiles"});

@@ -53,6 +53,13 @@ TEST(ReadGltf, TakesTheMatrixColumnByColumn) {
   EXPECT_EQ(read(file).mesh.vertices[7], Vec3(5 - 2, 6 + 1, 7 + 3));
 }
 
+TEST(ReadGltf, RefusesAMatrixBesideAPlace) {
+  GltfFile file(support::cuboid(kBox));
+  file.text["nodes"][0]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1};
+  file.text["nodes"][0]["translation"] = {100, 0, 0};
+  expect_refusal(file, "expected a matrix, or translation, rotation and scale, found both");
+}
+
 TEST(ReadGltf, ReadsStripsFansAndWhatHasNoIndices) {
   GltfFile file(TriangleMesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 2, 0}}, {}});
   json& primitive = file.text["meshes"][0]["primitives"][0];

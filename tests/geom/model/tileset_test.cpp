@@ -73,6 +73,17 @@ TEST(ReadTileset, KeepsATileOfWhichAChildHasNothing) {
   EXPECT_EQ(made.coarser, 0u);
 }
 
+// A tile without content stands for those below it, one of which has nothing either.
+TEST(ReadTileset, KeepsATileOfWhichAPartFurtherBelowHasNothing) {
+  const Files files = {{"a.glb", house()}, {"b.glb", house({5, 0, 0})}};
+  const auto made = [&](json second) {
+    const json between = tile("", {tile("b.glb"), std::move(second)});
+    return read(refined(tile("a.glb", {between}), "REPLACE"), files);
+  };
+  EXPECT_EQ(made(tile("")).coarser, 0u);
+  EXPECT_EQ(made(tile("b.glb")).coarser, 1u);
+}
+
 TEST(ReadTileset, KeepsATilesetThatHasChildrenBesideIt) {
   const Files files = {{"a.json", tileset(refined(tile("a.glb"), "ADD")).dump()},
                        {"a.glb", house()},
