@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
@@ -155,14 +156,14 @@ void require_no_scale(std::string_view chunk, const std::string& source) {
                             .advice = "programs differ in what it means"});
 }
 
-// The sum of the counts of 3DS chunks of faces (0x4120), which are in others.
-std::size_t faces_of_3ds(std::string_view bytes, const std::string& source, int depth = 0) {
+// Calls f(id, content) for each chunk of a 3DS file, and for those within others.
+template <class F>
+void for_each_chunk(std::string_view bytes, const std::string& source, const F& f, int depth = 0) {
   const auto word = [&](std::size_t at, std::size_t size) {
     std::uint32_t out = 0;
     std::memcpy(&out, bytes.data() + at, size);
     return out;
   };
-  std::size_t sum = 0;
   for (std::size_t at = 0; at + 6 <= bytes.size();) {
     const std::uint32_t id = word(at, 2);
     const std::size_t length = word(at + 2, 4);
@@ -173,13 +174,59 @@ std::size_t faces_of_3ds(std::string_view bytes, const std::string& source, int 
     }
     std::string_view inner = bytes.substr(at + 6, length - 6);
     if (id == 0x4000) inner = inner.substr(std::min(inner.find('\0'), inner.size() - 1) + 1);
-    if (id == 0x0100) require_no_scale(inner, source);
-    if (id == 0x4120 && inner.size() >= 2) sum += word(at + 6, 2);
+    f(id, inner);
     const bool nested = id == 0x4D4D || id == 0x3D3D || id == 0x4000 || id == 0x4100;
-    if (nested && depth < 10) sum += faces_of_3ds(inner, source, depth + 1);
+    if (nested && depth < 10) for_each_chunk(inner, source, f, depth + 1);
     at += length;
   }
-  return sum;
+}
+
+// What a 3DS file holds, to compare with what assimp makes of it.
+struct Told3ds {
+  std::size_t faces = 0;
+  std::vector<Vec3> vertices;
+};
+
+Told3ds told_by_3ds(std::string_view bytes, const std::string& source) {
+  Told3ds out;
+  for_each_chunk(bytes, source, [&](std::uint32_t id, std::string_view inner) {
+    if (id == 0x0100) require_no_scale(inner, source);
+    std::uint16_t count = 0;
+    if (inner.size() >= sizeof count) std::memcpy(&count, inner.data(), sizeof count);
+    if (id == 0x4120) out.faces += count;
+    for (std::size_t i = 0; id == 0x4110 && i < count && 2 + 12 * (i + 1) <= inner.size(); ++i) {
+      Eigen::Vector3f v;
+      std::memcpy(v.data(), inner.data() + 2 + 12 * i, 12);
+      out.vertices.push_back(v.cast<double>());
+    }
+  });
+  return out;
+}
+
+// Keyframes may place a mesh elsewhere than its vertices are: some programs follow them, others
+// pass over them. Looks for each vertex that assimp places in cells around those of the file.
+void require_unmoved(const Model& model, const Told3ds& told, const std::string& source) {
+  const double off = std::max(model.blur, 1e-9);
+  using Cell = std::array<double, 3>;
+  const auto cell_of = [&](const Vec3& v) {
+    const Vec3 cell = (v / (4 * off)).array().floor();
+    return Cell{cell.x(), cell.y(), cell.z()};
+  };
+  std::set<Cell> known;
+  for (const Vec3& v : told.vertices) known.insert(cell_of(v));
+  for (const Vec3& v : model.mesh.vertices) {
+    bool there = false;
+    for (int k = 0; k < 8 && !there; ++k) {
+      const Vec3 side(k & 1 ? off : -off, k & 2 ? off : -off, k & 4 ? off : -off);
+      there = known.contains(cell_of(v + side));
+    }
+    if (there) continue;
+    throw InputError(
+        source,
+        {.expected = "meshes that stand where their vertices are",
+         .found = fmt::format("one that its keyframes move, to [{}, {}, {}]", v.x(), v.y(), v.z()),
+         .advice = "programs differ in what they show: apply the transforms, or write glTF"});
+  }
 }
 
 // Loaded when it is needed: it takes longer to load than most imports, and few sources name a mesh
@@ -236,7 +283,10 @@ Model read_collada(const std::string& bytes, const std::string& source) {
 }
 
 Model read_3ds(const std::string& bytes, const std::string& source) {
-  return read_scene(bytes, source, k3dsModel, faces_of_3ds(bytes, source), "3ds");
+  const Told3ds told = told_by_3ds(bytes, source);
+  Model model = read_scene(bytes, source, k3dsModel, told.faces, "3ds");
+  require_unmoved(model, told, source);
+  return model;
 }
 
 }  // namespace geom
