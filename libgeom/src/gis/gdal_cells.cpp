@@ -1,5 +1,6 @@
 #include "gdal_cells.h"
 
+#include <cmath>
 #include <limits>
 #include <string_view>
 #include <vector>
@@ -48,6 +49,12 @@ RasterCells::RasterCells(const DatasetHandle& dataset, const std::string& path,
   none_ = value_for_none(dataset, band_);
   scale_ = gdal().raster_scale(band_, nullptr);
   offset_ = gdal().raster_offset(band_, nullptr);
+  if (!(std::isfinite(scale_) && scale_ != 0 && std::isfinite(offset_))) {
+    throw InputError(name, {.expected = "a finite scale that is not 0, and a finite offset",
+                            .found = fmt::format("{} and {}", scale_, offset_),
+                            .advice = "take them away with `gdal_translate -a_scale 1 -a_offset 0` "
+                                      "if its numbers are what they say"});
+  }
   // GDAL makes a mask of a value for none, too, which is compared here.
   const int flags = gdal().mask_flags(band_);
   if (flags != GMF_ALL_VALID && flags != GMF_NODATA && !(flags & GMF_ALPHA)) {

@@ -16,8 +16,9 @@ int number_bands(const DatasetHandle& dataset);
 // where the mask of the file excludes it, and where it is not wholly opaque.
 class RasterCells {
  public:
-  // `path` is what the dataset was opened from. Throws InputError(name, …) for a mask beside the
-  // file that GDAL passes over. The dataset must outlive this.
+  // `path` is what the dataset was opened from. Throws InputError(name, …) for a scale of 0, by
+  // which all numbers would be one, and for a mask beside the file that GDAL passes over. The
+  // dataset must outlive this.
   RasterCells(const DatasetHandle& dataset, const std::string& path, const std::string& name);
 
   // Numbers after scale and offset of the band, row by row; NaN where there are none. False where

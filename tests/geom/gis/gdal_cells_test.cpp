@@ -108,6 +108,15 @@ TEST(RasterCells, NumbersHaveTheScaleOfTheirBand) {
   EXPECT_EQ(terrain.surface(middle)->high, 15);
 }
 
+TEST(RasterCells, RefusesAScaleThatMakesAllNumbersOne) {
+  for (const double scale : {0.0, std::nan("")}) {
+    const MemoryRaster raster({},
+                              [&](GDALDataset& made) { made.GetRasterBand(1)->SetScale(scale); });
+    EXPECT_TRUE(says(refusal_of([&] { Terrain(raster.path(), "r.tif", {}); }),
+                     "r.tif: expected a finite scale that is not 0"));
+  }
+}
+
 // Esri's format says so.
 TEST(RasterCells, AnAsciiGridThatNamesNoValueForNoneHasOne) {
   const std::string cells = "-9999 1\n2 3\n";
