@@ -20,9 +20,9 @@ struct LasRecords {
 };
 
 // Reads from the end of the header to the points. Throws InputError(source, …) where records are
-// cut short or reach beyond that, where one that describes the coordinates stands where none begins,
-// where text and keys contradict each other, and where compressed points have no record that says
-// how.
+// cut short or reach beyond that, where one that describes the coordinates stands where none
+// begins, where text and keys contradict each other, and where compressed points have no record
+// that says how.
 LasRecords read_las_records(std::istream& in, const LasHeader& header, std::string_view source);
 
 }  // namespace geom
