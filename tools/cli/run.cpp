@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <exception>
 #include <new>
-#include <sstream>
 
 #include "cli/file/cut_file.h"
 #include "cli/file/missing_file.h"
@@ -23,6 +22,7 @@
 #include "geom/base/error.h"
 #include "geom/base/file_error.h"
 #include "geom/base/mapped_file.h"
+#include "geom/base/text_stream.h"
 
 namespace cli {
 namespace {
@@ -65,7 +65,7 @@ int usage(const CLI::App& app, std::string_view message) {
 
 // What --help, --version and --completion print.
 int answer(CLI::App& app, const CLI::Success& asked) {
-  std::ostringstream text;
+  geom::TextOutput text;
   app.exit(asked, text, text);
   print(text.str());
   return static_cast<int>(Exit::yes);

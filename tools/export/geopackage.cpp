@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <stdexcept>
 
 #include "cli/file/files.h"
 #include "cli/file/made_elsewhere.h"
+#include "geom/base/text_stream.h"
 #include "geom/record/volume4d.h"
 #include "geom/text/parse_json.h"
 #ifdef SKYWAY_FOOTPRINTS
@@ -44,7 +44,7 @@ GeoTable volumes_table() {
 
 // At their lower altitudes.
 void add_volumes(const std::string& id, const std::string& text, GeoTable& table) {
-  std::istringstream in(text);
+  geom::TextInput in(text);
   for (const geom::Volume4d& volume : geom::read_volumes_4d(in, kWritten)) {
     GeoRow row{.id = id, .places = volume.outline.ring};
     for (geom::GeodeticPlace& p : row.places) p.height = *volume.lower;

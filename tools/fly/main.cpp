@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <sstream>
 
 #include "cli/batch.h"
 #include "cli/file/files.h"
@@ -12,6 +11,7 @@
 #include "cli/option/scenes.h"
 #include "cli/run.h"
 #include "cli/shard/record_output.h"
+#include "geom/base/text_stream.h"
 #include "geom/base/thread_seconds.h"
 #include "options.h"
 #include "traj/flight/gains_record.h"
@@ -129,13 +129,13 @@ class Flights {
     if (!outputs.certificate.empty()) {
       certificates_.emplace(outputs.certificate, "certificate", sharding);
     }
-    std::ostringstream head;
+    geom::TextOutput head;
     traj::write_flight_log_header(head);
     out_.head(head.str());
   }
 
   void add(const traj::SimulatedFlight& flight) {
-    std::ostringstream rows;
+    geom::TextOutput rows;
     traj::write_flight(rows, flight.log);
     out_.add(rows.str());
     if (told_) told_->add(traj::to_json_line(flight.report, airframe_, map_));

@@ -5,7 +5,6 @@
 
 #include <iterator>
 #include <map>
-#include <sstream>
 
 #include "cli/file/files.h"
 #include "cli/file/recognise.h"
@@ -13,6 +12,7 @@
 #include "cli/shard/sharding.h"
 #include "geom/base/error.h"
 #include "geom/base/hashed_stream.h"
+#include "geom/base/text_stream.h"
 #include "geom/map/box_map_file.h"
 #include "geom/map/description.h"
 #include "geom/text/json_fields.h"
@@ -84,7 +84,7 @@ Json describe_archive(const geom::ArrayArchive& archive, bool verify) {
 }
 
 Json describe_records(const std::string& text, const std::string& name) {
-  std::istringstream in(text);
+  geom::TextInput in(text);
   std::map<std::string, std::size_t> counts;
   std::size_t number = 0;
   for (std::string line; std::getline(in, line);) {

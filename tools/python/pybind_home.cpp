@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <fstream>
 
+#include "geom/base/open_file.h"
 #include "geom/text/json_fields.h"
 #include "geom/text/json_line.h"
 #include "plan/planner/plan.h"
@@ -132,10 +132,9 @@ py::list ways_home(const Scene& self, const py::object& what, const std::string&
   {
     const py::gil_scoped_release released;
     traj::WaysTask task{.models = asked.models};
-    std::ifstream in(sites, std::ios::binary);
-    if (!in) throw geom::InputError(sites, {.says = "it cannot be read"});
+    const std::shared_ptr<std::istream> in = geom::open_file(sites);
     for (const traj::DrawnSite& site :
-         traj::read_sites(in, sites, self.scene.map().spec().frame, {local})) {
+         traj::read_sites(*in, sites, self.scene.map().spec().frame, {local})) {
       task.sites.push_back(traj::landing_site(self.scene, site, sites));
     }
     plan::Planner planner(self.scene);

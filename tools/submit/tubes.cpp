@@ -1,9 +1,9 @@
 #include "tubes.h"
 
 #include <filesystem>
-#include <sstream>
 
 #include "cli/file/files.h"
+#include "geom/base/text_stream.h"
 #include "traj/submit/submitted_flights.h"
 
 namespace submitting {
@@ -12,7 +12,7 @@ std::optional<traj::TubeReports> take_tubes(const std::string& path, traj::Submi
                                             SubmissionFolder& folder) {
   if (path.empty()) return std::nullopt;
   const std::string text = cli::InputFile(path).read_all();
-  std::istringstream in(text);
+  geom::TextInput in(text);
   traj::TubeReports tubes = traj::TubeReports::read(in, path);
   method.tubes = {std::filesystem::path(path).filename().string(),
                   traj::listed_file(traj::kTubesFile, text).sha256};

@@ -2,11 +2,11 @@
 
 #include <cstdint>
 #include <cstring>
-#include <sstream>
 
 #include "byte_source.h"
 #include "copc_hierarchy.h"
 #include "geom/base/in_order.h"
+#include "geom/base/text_stream.h"
 #include "geom/cloud/copc.h"
 #include "las_header.h"
 #include "las_records.h"
@@ -83,7 +83,7 @@ class Reader {
                        .found = fmt::format("them at byte {}", points)});
     }
     if (points > kHead) head += read_whole(read_, kHead, points - kHead, source_);
-    std::istringstream in(head);
+    TextInput in(head);
     header_ = read_las_header(in, source_);
     LasRecords records = read_las_records(in, header_, source_);
     if (!header_.compressed || header_.format < 6 || header_.format > 8 ||

@@ -4,9 +4,9 @@
 
 #include <iterator>
 #include <set>
-#include <sstream>
 
 #include "geom/base/loaded_library.h"
+#include "geom/base/text_stream.h"
 #include "geom/cloud/cloud_format.h"
 #include "geom/cloud/point_cloud.h"
 #include "geom/text/beginning.h"
@@ -75,7 +75,7 @@ class PcdReader {
       ++line_;
       begin_ += text.size() + 1;
       if (trimmed(text).find('\r') != std::string_view::npos) refuse(lone_return());
-      std::istringstream words(text);
+      TextInput words(text);
       std::string key;
       words >> key;
       if (key == "COLUMNS") key = "FIELDS";
@@ -187,7 +187,7 @@ class PcdReader {
     std::uint64_t found = 0;
     while (found < points_ && std::getline(in_, text)) {
       ++line_;
-      std::istringstream words(text);
+      TextInput words(text);
       Vec3 p;
       std::string word;
       bool any = false;

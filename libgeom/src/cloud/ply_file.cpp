@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <sstream>
-
+#include "geom/base/text_stream.h"
 #include "geom/text/counted.h"
 #include "geom/text/text_table.h"
 
@@ -82,7 +81,7 @@ void PlyFile::read_header() {
   }
   bool format = false;
   for (std::string line = next_line(); line != "end_header"; line = next_line()) {
-    std::istringstream words(line);
+    TextInput words(line);
     std::string key;
     words >> key;
     if (key == "comment" || key == "obj_info" || key.empty()) continue;

@@ -4,13 +4,13 @@
 #include <limits>
 #include <map>
 #include <span>
-#include <sstream>
 
 #include "gdal_cells.h"
 #include "gdal_handles.h"
 #include "gdal_reference.h"
 #include "gdal_whole.h"
 #include "gdal_whole_raster.h"
+#include "geom/base/text_stream.h"
 #include "geom/gis/footprint_source.h"
 #include "shape/row_merge.h"
 #include "shape/skyline_merge.h"
@@ -72,7 +72,7 @@ void require_metres_beside(const DatasetHandle& dataset, const std::string& path
     const std::string beside = gdal().with_extension(path.c_str(), ending);
     VSIStatBufL about;
     if (gdal().stat(beside.c_str(), &about) != 0) continue;
-    std::istringstream words(content_of(beside, name));
+    TextInput words(content_of(beside, name));
     for (std::string word; words >> word;) {
       if (!EQUAL(word.c_str(), "zunits") || !(words >> word)) continue;
       const char* const plain[] = {"no",     "none", "meter", "meters", "metre",

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "geom/base/error.h"
+#include "geom/base/text_stream.h"
 #include "geom/base/usage_error.h"
 #include "geom/import/volume_keep_out.h"
 #include "geom/record/volume4d.h"
@@ -47,7 +47,7 @@ TimeSpan time_of(const Volume4d& volume, const std::optional<std::string>& epoch
 
 KeepOut f3548_zones(const std::string& text, const std::string& source, const BoxMapSpec& spec,
                     const std::optional<double>& zero_height) {
-  std::istringstream in(text);
+  TextInput in(text);
   const std::vector<Volume4d> read = read_volumes_4d(in, source);
   KeepOut zones = keep_out_of(read, source, spec.frame,
                               {zero_height, spec.bounds.min.z(), spec.bounds.max.z()});
@@ -100,7 +100,7 @@ KeepOut read_volumes(const std::string& text, const std::string& source, const B
   if (f3548) {
     zones = f3548_zones(text, source, spec, options.zero_height);
   } else {
-    std::istringstream in(text);
+    TextInput in(text);
     zones = read_keep_out(in, source, spec.frame,
                           {options.local, spec.bounds.min.z(), spec.bounds.max.z(), spec.epoch});
   }

@@ -6,9 +6,9 @@
 #include <octomap/OcTree.h>
 
 #include <iterator>
-#include <sstream>
 
 #include "geom/base/error.h"
+#include "geom/base/text_stream.h"
 #include "geom/import/import_boxes.h"
 #include "geom/text/beginning.h"
 #include "geom/text/counted.h"
@@ -169,7 +169,7 @@ ImportedBoxes read_octomap(std::istream& in, std::string_view source,
                     .found = fmt::format("{} more", counted(bytes.size() - end, "byte"))});
   }
   octomap::OcTree tree(header.resolution);
-  std::istringstream data(bytes.substr(header.data));
+  TextInput data(bytes.substr(header.data));
   tree.readBinaryData(data);  // readBinary, which reads the header as well, prints
   if (!data || !tree.getRoot())
     refuse(source,

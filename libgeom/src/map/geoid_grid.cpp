@@ -8,10 +8,10 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
-#include <sstream>
 #include <string>
 
 #include "geom/base/error.h"
+#include "geom/base/text_stream.h"
 
 namespace geom {
 namespace {
@@ -81,7 +81,7 @@ GeoidGrid read_gtx(const std::string& bytes, std::string_view source) {
 std::optional<double> said(const std::string& head, const std::string& word) {
   const std::size_t at = head.find("# " + word + ' ');
   if (at == std::string::npos) return std::nullopt;
-  std::istringstream rest(head.substr(at + word.size() + 3, 40));
+  TextInput rest(head.substr(at + word.size() + 3, 40));
   rest.imbue(std::locale::classic());
   double value = 0;
   return rest >> value ? std::optional(value) : std::nullopt;
@@ -92,7 +92,7 @@ GeoidGrid read_pgm(const std::string& bytes, std::string_view source) {
   std::size_t at = bytes.find('\n') + 1;
   while (at < bytes.size() && bytes[at] == '#') at = bytes.find('\n', at) + 1;
   const std::string head = bytes.substr(0, at);
-  std::istringstream sizes(bytes.substr(at, 80));
+  TextInput sizes(bytes.substr(at, 80));
   std::size_t columns = 0;
   std::size_t rows = 0;
   std::size_t largest = 0;

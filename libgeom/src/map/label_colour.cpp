@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <string>
 
+#include "geom/base/text_stream.h"
 #include "geom/text/text_table.h"
 
 namespace geom {
@@ -20,7 +20,7 @@ constexpr std::array<Rgb8, 6> kColours = {{{176, 176, 176},
 }  // namespace
 
 std::optional<Rgb8> written_colour(std::string_view label) {
-  std::istringstream fields{std::string(label)};
+  TextInput fields{std::string(label)};
   std::array<double, 3> part{};
   std::string field;
   for (double& p : part) {

@@ -2,8 +2,8 @@
 
 #include <charconv>
 #include <map>
-#include <sstream>
 
+#include "geom/base/text_stream.h"
 #include "geom/model/model.h"
 #include "geom/model/model_format.h"
 #include "geom/model/model_polygons.h"
@@ -182,7 +182,7 @@ Model read_obj(std::istream& in, std::string_view source) { return ObjReader(in,
 namespace {
 
 LoadedModel load_obj(const ModelFile& file) {
-  std::istringstream in(file.bytes);
+  TextInput in(file.bytes);
   return {read_obj(in, file.path)};
 }
 

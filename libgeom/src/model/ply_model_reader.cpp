@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <sstream>
 
 #include "../cloud/ply_file.h"
+#include "geom/base/text_stream.h"
 #include "geom/cloud/cloud_format.h"
 #include "geom/model/model.h"
 #include "geom/model/model_format.h"
@@ -137,7 +137,7 @@ Model read_ply_model(std::istream& in, std::string_view source) {
 namespace {
 
 LoadedModel load_ply(const ModelFile& file) {
-  std::istringstream in(file.bytes);
+  TextInput in(file.bytes);
   return {read_ply_model(in, file.path)};
 }
 

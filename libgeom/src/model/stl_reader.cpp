@@ -4,10 +4,10 @@
 #include <cstring>
 #include <istream>
 #include <iterator>
-#include <sstream>
 #include <string>
 
 #include "geom/base/error.h"
+#include "geom/base/text_stream.h"
 #include "geom/model/model.h"
 #include "geom/model/model_format.h"
 #include "geom/text/beginning.h"
@@ -155,7 +155,7 @@ class StlText {
   }
 
   TextLines lines_;
-  std::istringstream words_;
+  TextInput words_;
   Model model_;
   bool open_ = false;
 };
@@ -174,14 +174,14 @@ Model read_stl(std::istream& in, std::string_view source) {
                         .found = fmt::to_string(bytes.size())});
     }
   }
-  std::istringstream text(bytes);
+  TextInput text(bytes);
   return StlText(text, source).read();
 }
 
 namespace {
 
 LoadedModel load_stl(const ModelFile& file) {
-  std::istringstream in(file.bytes);
+  TextInput in(file.bytes);
   return {read_stl(in, file.path)};
 }
 

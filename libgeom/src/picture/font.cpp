@@ -2,7 +2,8 @@
 
 #include <array>
 #include <cmath>
-#include <sstream>
+
+#include "geom/base/text_stream.h"
 
 namespace geom::picture {
 namespace {
@@ -98,7 +99,7 @@ constexpr Drawn kDrawn[] = {
     {'\0', 1, "M 0.5 2.6 L 0.5 2.75"},  // what the font lacks
 };
 
-void draw_arc(std::istringstream& pen, std::vector<PenPoint>& stroke) {
+void draw_arc(TextInput& pen, std::vector<PenPoint>& stroke) {
   double x = 0;
   double y = 0;
   double rx = 0;
@@ -115,7 +116,7 @@ void draw_arc(std::istringstream& pen, std::vector<PenPoint>& stroke) {
 
 Letter letter_of(const Drawn& drawn) {
   Letter out{drawn.width, {{}}};
-  std::istringstream pen(drawn.pen);
+  TextInput pen(drawn.pen);
   for (char move = 0; pen >> move;) {
     if (move == 'A') {
       draw_arc(pen, out.strokes.back());

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "geom/base/error.h"
+#include "geom/base/text_stream.h"
 #include "geom/base/usage_error.h"
 #include "geom/text/counted.h"
 #include "traj/curve/to_enu.h"
@@ -100,7 +100,7 @@ class ReturnExport {
                  FlownMission& mission) const {
     const geom::Axes axes = scene_.map().spec().frame.axes;
     if (!written.fences.empty()) {
-      std::istringstream in(written.fences);
+      geom::TextInput in(written.fences);
       for (const GeodeticFence& one : read_fences(in, kWritten)) {
         Fence fence = fence_on_map(one, over.origin, kWritten);
         for (geom::Vec2& p : fence.ring) {
@@ -110,7 +110,7 @@ class ReturnExport {
       }
     }
     if (written.rally.empty()) return;
-    std::istringstream in(written.rally);
+    geom::TextInput in(written.rally);
     const geom::GeographicFrame earth(over.origin);
     for (const geom::GeodeticPlace& one : read_wpl_rally(in, kWritten)) {
       Vec3 place = earth.enu({one.latitude, one.longitude, 0});
@@ -298,7 +298,7 @@ class ReturnExport {
     }
     const Autopilot& pilot = pilots.front();
     std::string text = return_parameters(pilot, {.fenced = !options_.fences.empty()});
-    std::istringstream in(text);
+    geom::TextInput in(text);
     const AutopilotSettings settings = read_autopilot_settings(in, kWritten);
     const Autopilot read = set_autopilot(settings, pilots, kWritten).autopilot;
     const bool same = std::abs(read.return_height - pilot.return_height) < 1e-9 &&
@@ -320,7 +320,7 @@ class ReturnExport {
 MissionExport with_off_nominal(const geom::CollisionScene& scene, const ExportFlight& flight,
                                const ExportOptions& options, const ReturnWishes& wishes,
                                MissionExport made) {
-  std::istringstream in(made.written->text);
+  geom::TextInput in(made.written->text);
   const geom::IntentVolumes nominal = geom::read_intent_volumes(in, kWritten);
   const geom::Frame& frame = scene.map().spec().frame;
   const FlightReturn of = flight_return(scene, flight.trajectory, options.flier, wishes.height);
@@ -330,7 +330,7 @@ MissionExport with_off_nominal(const geom::CollisionScene& scene, const ExportFl
   const auto volumes = off_nominal_volumes(of, over, wishes.off_nominal, flight.id);
   made.written->text =
       geom::operational_intent_details(nominal.nominal, flight.time.priority, volumes);
-  std::istringstream again(made.written->text);
+  geom::TextInput again(made.written->text);
   const geom::IntentVolumes read = geom::read_intent_volumes(again, kWritten);
   if (const auto why = why_returns_not_held(of, over, read.off_nominal, kWritten)) {
     return refused(*why);

@@ -1,9 +1,9 @@
 #include "prove.h"
 
-#include <sstream>
 #include <utility>
 
 #include "geom/base/error.h"
+#include "geom/base/text_stream.h"
 #include "traj/curve/to_enu.h"
 #include "traj/mission/formats/fence_file.h"
 #include "traj/mission/judge/judge.h"
@@ -21,7 +21,7 @@ void add_fences(const WrittenMission& written, const Placement& placement, const
                 Flown& flown) {
   auto* mission = std::get_if<FlownMission>(&flown.way);
   if (written.fences.empty() || !mission) return;
-  std::istringstream in(written.fences);
+  geom::TextInput in(written.fences);
   const geom::GeodeticOrigin origin = placement.mission_frame(frame).origin;
   for (const GeodeticFence& one : read_fences(in, "the fences that were written")) {
     Fence fence = fence_on_map(one, origin, "the fences that were written");

@@ -3,15 +3,16 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <sstream>
 #include <utility>
+
+#include "geom/base/text_stream.h"
 
 namespace traj {
 
 std::vector<FileFlight> read_mission(const std::string& text, const std::string& source,
                                      const MissionFormat& format, const MissionReading& reading,
                                      const geom::Frame& frame) {
-  std::istringstream in(text);
+  geom::TextInput in(text);
   ReadFlights read = format.read(in, {source, reading, frame});
   const std::string name = std::filesystem::path(source).stem().string();
   const std::size_t count = read.flights.size();

@@ -7,13 +7,13 @@
 #include <filesystem>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <utility>
 #include <vector>
 
 #include "folder_files.h"
 #include "geom/base/error.h"
 #include "geom/base/in_order.h"
+#include "geom/base/text_stream.h"
 #include "geom/map/box_map_file.h"
 #include "geom/map/ground_model.h"
 #include "geom/record/scenes.h"
@@ -189,7 +189,7 @@ class Folder {
                                                     submission_.flights, claims_.size())};
     }
     if (submission_.population) {
-      std::istringstream in(file("population.csv"));
+      geom::TextInput in(file("population.csv"));
       const Population population = read_population(in, name_of("population.csv"));
       if (population_csv(population) != file("population.csv")) {
         return Refusal{"population.csv", "its numbers are not written as this program writes them"};
@@ -219,7 +219,7 @@ class Folder {
       return Refusal{kTubesFile,
                      fmt::format("it is not {}, whose hash submission.json has", tubes->name)};
     }
-    std::istringstream in(text);
+    geom::TextInput in(text);
     tubes_.emplace(TubeReports::read(in, name_of(kTubesFile)));
     not_verified_.push_back(fmt::format("the proofs of the tubes in {}", kTubesFile));
     return std::nullopt;
@@ -370,7 +370,7 @@ class Folder {
       return Refusal{"claims.jsonl", id + ": its volumes or risk volumes are not in the folder"};
     }
     const std::string volumes = file(claims.volumes);
-    std::istringstream in(volumes);
+    geom::TextInput in(volumes);
     const geom::IntentVolumes intent = geom::read_intent_volumes(in, name_of(claims.volumes));
     if (volumes_json(intent) != volumes) {
       return Refusal{claims.volumes, "it is not written as this program writes volumes"};

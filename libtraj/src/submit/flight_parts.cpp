@@ -1,7 +1,6 @@
 #include "traj/submit/flight_parts.h"
 
-#include <sstream>
-
+#include "geom/base/text_stream.h"
 #include "geom/record/volume4d.h"
 #include "traj/record/verdict.h"
 #include "traj/submit/risk_geojson.h"
@@ -24,7 +23,7 @@ FlightParts flight_parts(const SubmittedFlight& flight, const geom::BoxMap& map)
     return refused(out, accepted(flight.report()) ? why : in_words(flight.report(), map));
   }
   out.volumes = volumes_json(flight.intent());
-  std::istringstream in(out.volumes);
+  geom::TextInput in(out.volumes);
   const geom::IntentVolumes intent = geom::read_intent_volumes(in, kWritten);
   if (const auto why = flight.why_not_held(intent)) return refused(out, *why);
   out.risk = risk_geojson(out.id, intent, risk_volumes(intent, flight.risk_task(), out.id));

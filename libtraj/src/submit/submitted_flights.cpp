@@ -1,10 +1,10 @@
 #include "traj/submit/submitted_flights.h"
 
 #include <memory>
-#include <sstream>
 #include <utility>
 
 #include "geom/base/error.h"
+#include "geom/base/text_stream.h"
 #include "geom/text/json_fields.h"
 #include "geom/zone/ground_band.h"
 #include "traj/check/check_record.h"
@@ -43,7 +43,7 @@ SubmittedFlights::SubmittedFlights(geom::Scenes& scenes, const SubmissionMethod&
                                           method.terrain_error, method.surface};
   }
   if (!files.geoid_grid) return;
-  std::istringstream in(*files.geoid_grid);
+  geom::TextInput in(*files.geoid_grid);
   reading_.placement.geoid_grid =
       std::make_shared<const geom::GeoidGrid>(geom::read_geoid_grid(in, kGeoidFile));
 }

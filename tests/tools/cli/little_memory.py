@@ -56,6 +56,10 @@ def prepare(folder):
     (folder / "through.traj").write_text(json.dumps(
         {"type": "trajectory", "id": "t", "status": "solved",
          "segments": [{"duration": 1000.0, **control}]}) + "\n")
+    # A long log and long drone files are made of it: texts that grow while memory runs out.
+    (folder / "short.traj").write_text(json.dumps(
+        {"type": "trajectory", "id": "s", "status": "solved", "segments": [
+            {"duration": 60.0, "x": [0.0] * 4 + [60.0] * 4, "y": [0.0] * 8, "z": [50.0] * 8}]}) + "\n")
     return boxes, points
 
 
@@ -85,6 +89,9 @@ def main():
                                  *vehicle],
             "export": ["skyway-export", "city.boxmap", "through.traj", "--format", "geojson",
                        *vehicle, "-o", "out.geojson"],
+            "fly": ["skyway-fly", "short.traj", "--vehicle", "quad2kg", "-q", "-o", "out.csv"],
+            "setpoints": ["skyway-export", "short.traj", "--format", "setpoints", "--unchecked", "-q",
+                          "--rate", "100", "-o", "out.csv"],
         }
         counts = {}
         for title, command in commands.items():

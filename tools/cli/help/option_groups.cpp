@@ -2,8 +2,8 @@
 
 #include <cctype>
 #include <map>
-#include <sstream>
 
+#include "geom/base/text_stream.h"
 #include "geom/vehicle/limits.h"
 
 namespace cli {
@@ -103,7 +103,7 @@ std::string word_of_unit(std::string_view unit) {
 std::map<std::string, OptionPlace, std::less<>> read_groups() {
   std::map<std::string, OptionPlace, std::less<>> places;
   for (const Group& group : kGroups) {
-    std::istringstream words(group.options);
+    geom::TextInput words(group.options);
     for (std::string word; words >> word;) {
       const std::size_t equals = word.find('=');
       places[word.substr(0, equals)] = {group.title,

@@ -1,6 +1,6 @@
 #include "tool_page.h"
 
-#include <sstream>
+#include "geom/base/text_stream.h"
 
 namespace cli {
 namespace {
@@ -118,7 +118,7 @@ ToolPage page_of_tool(std::string_view tool) {
   for (const Page& page : kPages) {
     if (page.tool != tool) continue;
     ToolPage out{page.example, {}};
-    std::istringstream names(page.common);
+    geom::TextInput names(page.common);
     for (std::string name; names >> name;) out.common.insert(name);
     return out;
   }

@@ -4,12 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <filesystem>
-#include <fstream>
 #include <initializer_list>
 #include <memory>
 #include <utility>
 #include <vector>
 
+#include "cli/file/files.h"
 #include "geom/base/usage_error.h"
 
 namespace cli {
@@ -42,8 +42,7 @@ NamedGeoidGrid geoid_grid_of(const std::string& word) {
   const std::vector<std::string> paths = grids_of(word);
   for (const std::string& path : paths) {
     if (!std::filesystem::exists(path)) continue;
-    std::ifstream file(path, std::ios::binary);
-    return {geom::read_geoid_grid(file, path), path};
+    return {geom::read_geoid_grid(*open_input(path), path), path};
   }
   throw geom::UsageError(fmt::format(
       "--geoid-grid: expected the grid of a geoid (egm96, egm2008 or a file, .gtx or .pgm), found "

@@ -8,7 +8,8 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
-#include <sstream>
+
+#include "geom/base/text_stream.h"
 
 namespace cli {
 namespace {
@@ -32,7 +33,7 @@ std::size_t least_up_from(const std::string& root, std::string group, const char
 }
 
 std::string own_groups() {
-  std::ostringstream out;
+  geom::TextOutput out;
   out << std::ifstream("/proc/self/cgroup").rdbuf();
   return out.str();
 }
@@ -57,7 +58,7 @@ std::optional<std::size_t> parse_bytes(std::string_view text) {
 
 std::optional<std::size_t> cgroup_limit(const std::string& lines, const std::string& root) {
   std::size_t least = kUnlimited;
-  std::istringstream in(lines);
+  geom::TextInput in(lines);
   for (std::string line; std::getline(in, line);) {  // "0::/a/b" or "4:cpu,memory:/a/b"
     const auto first = line.find(':');
     const auto second = first == std::string::npos ? first : line.find(':', first + 1);

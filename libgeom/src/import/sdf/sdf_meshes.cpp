@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
 
 #include "geom/base/error.h"
+#include "geom/base/text_stream.h"
 #include "geom/mesh/triangle_cover.h"
 #include "sdf_collada.h"
 #include "sdf_loader.h"
@@ -60,7 +60,7 @@ bool SdfMeshes::skips(const SdfNode& mesh) {
 SdfMeshes::MeshFile SdfMeshes::read(const SdfFile& file, const std::string& ending) const {
   MeshFile out{file.name, {}, collada_difference(file, ending)};
   if (!out.unlike.empty() || (ending == ".dae" && !options_.read_collada)) return out;
-  std::istringstream in(file.text);
+  TextInput in(file.text);
   out.model = ending == ".dae"   ? options_.read_collada(file)
               : ending == ".obj" ? read_obj(in, file.name)
                                  : read_stl(in, file.name);

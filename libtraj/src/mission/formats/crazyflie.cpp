@@ -15,6 +15,7 @@
 
 #include "curve/curve_piece.h"
 #include "geom/base/error.h"
+#include "geom/base/text_stream.h"
 #include "geom/text/beginning.h"
 #include "geom/text/number.h"
 #include "mission/formats/text_head.h"
@@ -338,7 +339,7 @@ ReadFlights read(std::istream& in, const ReadTask& task) {
 }
 
 WrittenMission write(const MissionTask& task, const geom::Polyline&) {
-  std::ostringstream text;
+  geom::TextOutput text;
   write_crazyflie(text, task.enu);
   WrittenMission written{text.str()};
   written.reading.placement = task.options.placement;

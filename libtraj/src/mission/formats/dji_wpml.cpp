@@ -4,9 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <sstream>
 #include <utility>
 
+#include "geom/base/text_stream.h"
 #include "geom/map/frame.h"
 #include "geom/text/beginning.h"
 #include "mission/formats/mavlink_format.h"
@@ -165,7 +165,7 @@ WrittenMission write(const MissionTask& task, const geom::Polyline& legs) {
   const MissionFrame over = task.options.placement.mission_frame(task.frame);
   require_near_origin(legs, over.origin, task.flight->id);
   const DjiMission mission = make_dji_mission(legs, over, options);
-  std::ostringstream text;
+  geom::TextOutput text;
   write_dji_kmz(text, mission, task.checked ? "skyway" : "skyway (UNCHECKED)");
   WrittenMission written{text.str()};
   written.reading.placement = placement_to_read(task, over);

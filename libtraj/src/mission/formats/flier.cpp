@@ -1,9 +1,9 @@
 #include "traj/mission/formats/flier.h"
 
 #include <algorithm>
-#include <sstream>
 #include <utility>
 
+#include "geom/base/text_stream.h"
 #include "geom/base/usage_error.h"
 #include "traj/mission/firmware/autopilot_settings.h"
 
@@ -35,7 +35,7 @@ Flier with_autopilots(Flier flier, const AutopilotChoice& choice) {
   }
   flier.autopilots = *std::move(autopilots);
   if (choice.parameters) {
-    std::istringstream in(*choice.parameters);
+    geom::TextInput in(*choice.parameters);
     const auto settings = read_autopilot_settings(in, choice.parameters_name);
     SetAutopilot set = set_autopilot(settings, flier.autopilots, choice.parameters_name);
     flier.autopilots = {set.autopilot};

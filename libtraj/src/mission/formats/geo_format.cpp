@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <sstream>
 #include <utility>
 
 #include "geom/base/error.h"
+#include "geom/base/text_stream.h"
 
 namespace traj {
 namespace {
@@ -66,7 +66,7 @@ WrittenMission write_line(const MissionTask& task, const geom::Polyline& legs, L
     line.points.push_back(earth.place(p));
     line.points.back().height -= zero_of(heights, over, line.points.back());
   }
-  std::ostringstream text;
+  geom::TextOutput text;
   write(text, line);
   WrittenMission written{text.str()};
   written.reading.placement = placement_to_read(task, over);

@@ -10,9 +10,9 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <ostream>
-#include <sstream>
 
 #include "geom/base/error.h"
+#include "geom/base/text_stream.h"
 #include "geom/mesh/gltf.h"
 #include "geom/model/model_format.h"
 #include "geom/text/parse_json.h"
@@ -253,7 +253,7 @@ ReadFlights read(std::istream& in, const ReadTask& task) {
 }
 
 WrittenMission write(const MissionTask& task, const geom::Polyline& legs) {
-  std::ostringstream text;
+  geom::TextOutput text;
   write_gltf_line(text, legs, task.flight->id, unchecked_note(task));
   WrittenMission written{text.str()};
   written.reading.placement = task.options.placement;

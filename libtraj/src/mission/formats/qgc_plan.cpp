@@ -9,9 +9,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <ostream>
-#include <sstream>
 
 #include "geom/base/error.h"
+#include "geom/base/text_stream.h"
 #include "geom/text/beginning.h"
 #include "geom/text/parse_json.h"
 #include "mission/formats/mavlink_format.h"
@@ -409,7 +409,7 @@ namespace {
 
 WrittenMission write(const MissionTask& task, const geom::Polyline& legs) {
   return write_mission(task, legs, [](const Mission& mission, const MissionTask& of) {
-    std::ostringstream text;
+    geom::TextOutput text;
     write_qgc_plan(text, mission, of.checked ? "skyway" : "skyway (UNCHECKED)");
     return WrittenMission{text.str()};
   });

@@ -9,10 +9,10 @@
 #include <istream>
 #include <numbers>
 #include <ostream>
-#include <sstream>
 #include <string>
 
 #include "geom/base/error.h"
+#include "geom/base/text_stream.h"
 #include "geom/base/usage_error.h"
 #include "geom/text/beginning.h"
 #include "geom/text/number.h"
@@ -172,7 +172,7 @@ void require_few_rows(double seconds, double rate) {
 
 WrittenMission write(const MissionTask& task, const geom::Polyline&) {
   require_few_rows(duration(task.enu), task.options.rate);
-  std::ostringstream text;
+  geom::TextOutput text;
   write_setpoints(text, setpoints(task.enu, task.options.rate),
                   task.options.ned ? SetpointAxes::ned : SetpointAxes::enu);
   WrittenMission written{text.str()};

@@ -9,9 +9,9 @@
 #include <istream>
 #include <numbers>
 #include <ostream>
-#include <sstream>
 
 #include "geom/base/error.h"
+#include "geom/base/text_stream.h"
 #include "geom/base/usage_error.h"
 #include "geom/map/frame.h"
 #include "geom/text/beginning.h"
@@ -288,9 +288,9 @@ WrittenMission write(const MissionTask& task, const geom::Polyline& legs) {
   const Vec3 ground(legs.front().x(), legs.front().y(), task.ground);
   const TelloStart start = start_of(placement, ground);
   const TelloFlight flight = tello_flight(legs, start, speed, task.options.lands);
-  std::ostringstream text;
-  std::ostringstream python;
-  std::ostringstream csv;
+  geom::TextOutput text;
+  geom::TextOutput python;
+  geom::TextOutput csv;
   write_tello(text, flight);
   write_tello_python(python, flight, start, heading_note(task));
   write_tello_csv(csv, flight, start);

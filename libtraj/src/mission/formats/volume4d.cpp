@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <sstream>
-
+#include "geom/base/text_stream.h"
 #include "geom/base/usage_error.h"
 #include "traj/mission/airspace/flight_volumes.h"
 #include "traj/mission/formats/mission_formats.h"
@@ -74,7 +73,7 @@ MissionProof prove(const geom::CollisionScene& scene, const MissionTask& task) {
   }
   const auto volumes = flight_volumes(flight, task.options.volumes, id);
   proof.written.text = geom::operational_intent_details(volumes, task.flight->time.priority);
-  std::istringstream in(proof.written.text);
+  geom::TextInput in(proof.written.text);
   const auto read = geom::read_volumes_4d(in, "what was written");
   if (const auto why = why_not_held(flight, read, "what was written")) proof.refusal = *why;
   return proof;

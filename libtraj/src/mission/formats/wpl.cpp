@@ -6,9 +6,9 @@
 #include <charconv>
 #include <istream>
 #include <ostream>
-#include <sstream>
 
 #include "geom/base/error.h"
+#include "geom/base/text_stream.h"
 #include "geom/text/beginning.h"
 #include "geom/text/number.h"
 #include "mission/formats/mavlink_format.h"
@@ -334,7 +334,7 @@ namespace {
 
 template <class Write>
 std::string text_of(const Write& write, const Mission& mission) {
-  std::ostringstream text;
+  geom::TextOutput text;
   write(text, mission);
   return text.str();
 }
