@@ -18,6 +18,7 @@ struct GdalLibrary {
   decltype(&CPLErrorReset) forget_errors;
   decltype(&CPLSetErrorHandler) set_error_handler;
   decltype(&CPLQuietErrorHandler) quiet_error_handler;
+  decltype(&CPLGetConfigOption) option;
   decltype(&CPLSetConfigOption) set_option;
   decltype(&CPLSetThreadLocalConfigOption) set_option_of_thread;
   decltype(&CPLGetExtension) extension_of;
