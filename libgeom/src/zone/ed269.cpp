@@ -57,6 +57,13 @@ class Reader {
     out_.zones.push_back(std::move(zone));
   }
 
+  static bool is_permanent(const Json& period, const ZonePlace& place) {
+    const Json* const permanent = member(period, "permanent");
+    if (!permanent || *permanent == "NO" || *permanent == false) return false;
+    if (*permanent == "YES" || *permanent == true) return true;
+    place.refuse({.key = "permanent", .expected = "YES or NO", .found = shown(*permanent)});
+  }
+
   // What is permanent is always there, whatever else stands beside it.
   static std::vector<ZonePeriod> periods_of(const Json* list, const ZonePlace& place) {
     std::vector<ZonePeriod> out;
@@ -65,11 +72,7 @@ class Reader {
       place.refuse({.key = "applicability", .expected = "a list", .found = shown(*list)});
     }
     for (const Json& one : *list) {
-      const std::string permanent = text_of(one, "permanent");
-      if (permanent == "YES") return {};
-      if (!permanent.empty() && permanent != "NO") {
-        place.refuse({.key = "permanent", .expected = "YES or NO", .found = in_quotes(permanent)});
-      }
+      if (is_permanent(one, place)) return {};
       ZonePeriod period;
       if (const Json* const at = member(one, "startDateTime")) {
         period.start = instant_of(*at, "startDateTime", Side::begin, place);

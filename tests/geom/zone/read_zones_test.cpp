@@ -132,6 +132,15 @@ TEST(ReadZones, WarnOfARingThatCrossesItself) {
   EXPECT_EQ(ed269(zone).warnings.size(), 1U);
 }
 
+TEST(ReadZones, ObeyAPermanentThatIsAYesOfJson) {
+  Json zone = ed269_zone();
+  zone["applicability"] = Json::parse(
+      R"([{"permanent":true,"startDateTime":"2020-01-01T00:00:00Z","endDateTime":"2020-02-01T00:00:00Z"}])");
+  EXPECT_TRUE(ed269(zone).zones[0].periods.empty()) << "it is always there";
+  zone["applicability"][0]["permanent"] = false;
+  EXPECT_EQ(ed269(zone).zones[0].periods.size(), 1U);
+}
+
 TEST(ReadZones, RefuseWhatCannotBeReadAndNameTheZone) {
   const auto with = [](const char* pointer, const Json& value) {
     Json zone = ed269_zone();
@@ -149,6 +158,7 @@ TEST(ReadZones, RefuseWhatCannotBeReadAndNameTheZone) {
   EXPECT_EQ(with("/geometry", Json::array()).key, "geometry");
   EXPECT_EQ(with("/identifier", nullptr).key, "identifier");
   EXPECT_EQ(with("/applicability/0/permanent", "SOMETIMES").key, "permanent");
+  EXPECT_EQ(with("/applicability/0/permanent", 1).key, "permanent");
   const auto period = [&](const char* text) { return with("/applicability", Json::parse(text)); };
   EXPECT_EQ(period(R"([{"permanent":"NO","startDateTime":"2026-05-04T08:00:00"}])").key,
             "startDateTime")
