@@ -97,6 +97,8 @@ def test_answers_are_those_of_the_query_tool(out, scene):
 
 def test_wrong_batches_are_refused(scene):
     segments = segments_in(scene, 4)
+    assert "masked" in raises(ValueError, scene.hits, numpy.ma.masked_equal(segments, segments[1, 1]))
+    assert "masked" in raises(ValueError, skyway.BoxMap, [[0, 0, 0, 1, 1, 1.0]], ids=numpy.ma.masked_equal([3], 3))
     segments[2, 3] = numpy.nan
     assert "segments[2]: coordinates must be finite" in raises(skyway.InputError, scene.hits, segments)
     raises(ValueError, scene.nearest, segments)

@@ -21,6 +21,7 @@ def array(name: str, values: ArrayLike, *shapes: tuple[Optional[int], ...]) -> F
     number of rows, of which there are none in an empty list."""
     wanted = " or ".join("(" + ", ".join("n" if n is None else str(n) for n in s) + ("," if len(s) == 1 else "") + ")"
                          for s in shapes)
+    require_unmasked(name, values)
     try:
         given = numpy.asarray(values)
     except ValueError:
@@ -32,6 +33,12 @@ def array(name: str, values: ArrayLike, *shapes: tuple[Optional[int], ...]) -> F
     if not any(len(s) == given.ndim and all(n in (None, m) for n, m in zip(s, given.shape)) for s in shapes):
         raise ValueError(f"{name}: expected shape {wanted}, found {given.shape}")
     return numpy.ascontiguousarray(given, dtype=numpy.float64)
+
+
+def require_unmasked(name: str, values: ArrayLike) -> None:
+    """Below a mask stands a number that nobody means."""
+    if isinstance(values, numpy.ma.MaskedArray) and numpy.any(values.mask):
+        raise ValueError(f"{name}: expected numbers, found a masked array with masked values: leave them out")
 
 
 def _kind_of(values: Any, given: NDArray[Any]) -> str:

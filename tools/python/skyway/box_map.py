@@ -8,7 +8,7 @@ import numpy
 from numpy.typing import ArrayLike, NDArray
 
 from . import _skyway
-from .arguments import File, Floats, Tuple3, array, file, native, number, texts
+from .arguments import File, Floats, Tuple3, array, file, native, number, require_unmasked, texts
 from .native import Native
 from .notebook import small
 
@@ -114,6 +114,7 @@ class BoxMap(Native):
 def _ids(ids: Optional[ArrayLike], count: int) -> Optional[list[int]]:
     if ids is None:
         return None
+    require_unmasked("ids", ids)
     given = numpy.asarray(ids)
     if given.dtype.kind not in "iu" and given.size:
         raise TypeError(f"ids: expected whole numbers, found {ids!r}")
