@@ -1,6 +1,7 @@
 #include "run_files.h"
 
 #include <fmt/format.h>
+#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -30,6 +31,22 @@ void add_path(std::vector<std::string>& keys, const fs::path& path) {
   const fs::path real = fs::canonical(folder, error);
   keys.push_back("path " + (error ? path : real / path.filename()).string());
 }
+
+// While it lives, signals that would end this process wait: so all outputs appear, or none, and no
+// temporary file stays behind.
+class Undisturbed {
+ public:
+  Undisturbed() {
+    sigset_t ends;
+    sigemptyset(&ends);
+    for (const int signal : {SIGHUP, SIGINT, SIGTERM}) sigaddset(&ends, signal);
+    pthread_sigmask(SIG_BLOCK, &ends, &before_);
+  }
+  ~Undisturbed() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+ private:
+  sigset_t before_;
+};
 
 std::string output_in_words(const std::string& path) { return path == "-" ? "stdout" : path; }
 
@@ -124,6 +141,7 @@ void RunFiles::add(std::unique_ptr<Unpublished> output) {
 }
 
 void RunFiles::publish() {
+  const Undisturbed undisturbed;
   for (const auto& output : unpublished_) output->prepare();
   for (const auto& output : unpublished_) output->publish();
   unpublished_.clear();
