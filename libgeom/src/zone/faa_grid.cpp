@@ -19,6 +19,18 @@ std::string identifier_of(const Json& properties, std::size_t index) {
                      object && object->is_number() ? object->dump() : fmt::to_string(index));
 }
 
+// Who decides. The FAA's UNIT is the unit of the ceiling; copies have the facility there, with a
+// blank in its name.
+std::string authority_of(const Json& properties, const ZonePlace& place) {
+  const Json* const value = member(properties, "UNIT");
+  const std::string unit = text_of(properties, "UNIT");
+  if (unit.find(' ') != std::string::npos) return "FAA, " + unit;
+  if (value && unit != "Feet" && unit != "FEET" && unit != "feet" && unit != "ft") {
+    place.refuse({.key = "UNIT", .expected = "Feet", .found = shown(*value)});
+  }
+  return "FAA";
+}
+
 double ceiling_of(const Json& properties, const ZonePlace& place) {
   const Json* const value = member(properties, "CEILING");
   if (!value) place.refuse({.key = "CEILING", .expected = "feet", .found = "none"});
@@ -45,9 +57,7 @@ void add_cell(const Json& feature, const std::string& source, ZoneFile& out) {
   low.name = text_of(*properties, "APT1_NAME");
   low.country = "USA";
   low.type = ZoneType::authorization;
-  low.authority =
-      "FAA" +
-      (text_of(*properties, "UNIT").empty() ? std::string() : ", " + text_of(*properties, "UNIT"));
+  low.authority = authority_of(*properties, place);
   low.message =
       fmt::format("up to {} ft above the ground a flight may be authorized (LAANC)", feet);
   low.volumes = polygons_of(*geometry, place, out.warnings);

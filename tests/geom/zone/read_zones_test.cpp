@@ -125,6 +125,19 @@ TEST(ReadZones, GiveTwoZonesACellOfTheFaa) {
   EXPECT_FALSE(file.zones[1].volumes[0].upper);
 }
 
+TEST(ReadZones, ObeyTheUnitOfACeiling) {
+  const auto with = [](const char* unit) {
+    return std::string(R"({"type":"FeatureCollection","features":[{"type":"Feature",
+      "properties":{"OBJECTID":2,"CEILING":200,"UNIT":)") +
+           unit + R"(},"geometry":{"type":"Polygon",
+      "coordinates":[[[-73,40],[-72.9,40],[-72.9,40.1],[-73,40]]]}}]})";
+  };
+  EXPECT_EQ(read_zones(with("\"Feet\""), "grid.json").zones[0].authority, "FAA");
+  EXPECT_EQ(read_zones(with("\"LGA ATCT\""), "grid.json").zones[0].authority, "FAA, LGA ATCT");
+  EXPECT_THROW(read_zones(with("\"Meters\""), "grid.json"), InputError);
+  EXPECT_THROW(read_zones(with("1"), "grid.json"), InputError);
+}
+
 TEST(ReadZones, WarnOfARingThatCrossesItself) {
   Json zone = ed269_zone();
   zone["geometry"][0]["horizontalProjection"]["coordinates"] =
