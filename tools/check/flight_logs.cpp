@@ -70,7 +70,7 @@ void warn_of(const traj::FlightLog& log, const traj::FlightLogCheck& check,
   if (log.map.empty()) {
     common.warn(fmt::format("{}: the log does not say its map: it is taken to be of this one", id));
   }
-  if (log.cut) common.warn(fmt::format("{}: the log broke off: what followed is not known", id));
+  if (log.cut) common.warn(fmt::format("{}: the log is cut: it is not the whole flight", id));
   if (check.has_plans() && !check.has_plan(log)) {
     common.warn(fmt::format("{}: --plan has no trajectory of that id", id));
   }

@@ -128,7 +128,9 @@ int main(int argc, char** argv) {
     for (const std::string& text : traj::warnings(flight, geoid)) common.warn(text);
     traj::require_positions(flight, file.name(), placed);
     set_ground(options, common, file.name(), flight);
-    traj::begin_at(begin_of(options, flight, file.name()), flight);
+    if (traj::begin_at(begin_of(options, flight, file.name()), flight)) {
+      common.warn("--begin leaves out what the vehicle may have flown: the last row says cut");
+    }
     if (flight.log.samples.empty()) {
       throw geom::InputError(file.name(),
                              {.expected = "a position after --begin", .found = "none"});

@@ -438,7 +438,7 @@ std::string in_words(const SampledReport& report, const geom::BoxMap& map) {
            sampled;
   }
   if (reason == "cut") {
-    return "the log broke off, so what followed is not known; until then, " + sampled;
+    return "the log does not hold the whole flight (it is cut); in what it holds, " + sampled;
   }
   if (reason == "clearance") {
     return fmt::format("{}; expected at least {:.4g} m", sampled, *report.rule.clearance);

@@ -27,7 +27,7 @@ class FlightLog(Native):
 
     @property
     def cut(self) -> bool:
-        """Whether the log broke off."""
+        """Whether the log does not hold the whole flight: it broke off, or begins or ends without positions."""
         return self._native.cut
 
     def __len__(self) -> int:

@@ -52,7 +52,7 @@ struct FlightLog {
   std::string id;
   std::string map;  // geom::BoxMap::hash() of the map that it was flown on; empty: not known
   std::vector<FlightSample> samples;  // times grow
-  bool cut = false;  // the source broke off: the vehicle may have flown on after the last row
+  bool cut = false;  // the vehicle may have flown before the first row or after the last
 };
 
 // The header, then the flights one after the other: parts of one file. The map stands in the first

@@ -30,7 +30,7 @@ struct SampledReport {
   std::string id;
   SampledFlight result;
   std::size_t samples = 0;
-  bool cut = false;  // the log broke off
+  bool cut = false;  // the log does not hold the whole flight
   std::optional<FlownTube> plan;
   std::optional<TubeKind> tube;  // where the plan came with one
   geom::Provenance provenance;

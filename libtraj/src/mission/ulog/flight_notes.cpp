@@ -42,6 +42,16 @@ void add_left_out(const Px4Flight& flight, std::vector<std::string>& out) {
         "says cut",
         flight.left_out_at_end));
   }
+  if (flight.begins_in_air) {
+    out.push_back(
+        "the vehicle flew, or may have flown, before the first row: where it was then is not "
+        "known, and the last row says cut");
+  }
+  if (flight.ends_silent) {
+    out.push_back(
+        "the log goes on for more than 1 s after the last row, without positions: where the flight "
+        "went then is not known, and the last row says cut");
+  }
 }
 
 void add_losses(const Px4Flight& flight, std::vector<std::string>& out) {
@@ -117,7 +127,10 @@ nlohmann::ordered_json stats(const Px4Flight& flight) {
                                 {"not_known", flight.not_known},
                                 {"nowhere", flight.nowhere},
                                 {"back", flight.back},
+                                {"left_out_at_begin", flight.left_out_at_begin},
+                                {"begins_in_air", flight.begins_in_air},
                                 {"left_out_at_end", flight.left_out_at_end},
+                                {"ends_silent", flight.ends_silent},
                                 {"resets", flight.resets},
                                 {"largest_reset", flight.largest_reset},
                                 {"version", log.version},

@@ -24,6 +24,7 @@ constexpr std::array<std::string_view, 9> kTopics = {
 
 constexpr double kLatest = 1e9;                // s: what a flight log may hold
 constexpr std::uint64_t kSetBack = 1'000'000;  // microseconds by which a clock was set back
+constexpr std::uint64_t kSilent = 1'000'000;   // microseconds from which on positions are missing
 constexpr double kStanding = 10;  // s before a take-off in which the vehicle stood on the ground
 
 Vec3 enu_of(const Vec3& ned) { return {ned.y(), ned.x(), -ned.z()}; }
@@ -106,6 +107,7 @@ class Track {
     ++positions_;
     if (!known_on_map(position)) return leave_out(nowhere_);
     if (samples_.empty()) {
+      left_out_at_begin_ = left_out_since_;
       begin(position);
     } else if (!goes_on(position.time)) {
       return leave_out(back_);
@@ -121,6 +123,8 @@ class Track {
   bool empty() const { return samples_.empty(); }
   std::size_t positions() const { return positions_; }
   std::uint64_t first() const { return first_; }
+  std::uint64_t last() const { return last_; }
+  std::size_t left_out_at_begin() const { return left_out_at_begin_; }
 
   void give(Px4Flight& out) && {
     out.log.samples = std::move(samples_);
@@ -128,6 +132,7 @@ class Track {
     out.not_known = not_known_;
     out.nowhere = nowhere_;
     out.back = back_;
+    out.left_out_at_begin = left_out_at_begin_;
     out.left_out_at_end = left_out_since_;
     out.reference = reference_;
     out.resets = resets_;
@@ -210,6 +215,7 @@ class Track {
   std::size_t not_known_ = 0;
   std::size_t nowhere_ = 0;
   std::size_t back_ = 0;
+  std::size_t left_out_at_begin_ = 0;
   std::size_t left_out_since_ = 0;  // the last row
   bool set_back_ = false;
   std::optional<GeodeticPlace> reference_;
@@ -264,6 +270,7 @@ class Collector {
 
   void take(const UlogMessage& message) {
     state_.take(message);
+    last_heard_ = std::max(last_heard_, message.timestamp());
     if (message.topic() == "vehicle_local_position") {
       add(local_, local_position(message));
       note_largest(message.number("eph"), out_.deviation);
@@ -285,8 +292,13 @@ class Collector {
     if (takeoff_ && !track.empty() && *takeoff_ >= track.first()) {
       out_.takeoff = seconds(*takeoff_ - track.first());
     }
+    if (!track.empty()) {
+      out_.begins_in_air = begins_in_air(track);
+      out_.ends_silent = last_heard_ > track.last() + kSilent;
+    }
     std::move(track).give(out_);
-    out_.log.cut = out_.summary.cut_at.has_value() || out_.left_out_at_end > 0;
+    out_.log.cut = out_.summary.cut_at.has_value() || out_.left_out_at_end > 0 ||
+                   out_.begins_in_air || out_.ends_silent;
     return std::move(out_);
   }
 
@@ -307,14 +319,25 @@ class Collector {
   void note_takeoff(const UlogMessage& message) {
     const auto landed = message.flag("landed");
     if (!landed) return;
+    if (!*landed && !in_air_) in_air_ = knows_landed_ ? message.timestamp() : 0;
     if (stood_ && !*landed && !takeoff_) takeoff_ = message.timestamp();
     stood_ = *landed;
+    knows_landed_ = true;
+  }
+
+  // Where nothing says whether it flew, it may have done so where positions are left out.
+  bool begins_in_air(const Track& track) const {
+    if (in_air_) return *in_air_ <= track.first();
+    return !knows_landed_ && track.left_out_at_begin() > 0;
   }
 
   Px4State state_;
   Track local_;
   Track global_;
+  std::uint64_t last_heard_ = 0;  // of any topic
   bool stood_ = false;
+  bool knows_landed_ = false;
+  std::optional<std::uint64_t> in_air_;  // since when at first, 0: since before the log
   std::optional<std::uint64_t> takeoff_;
   Px4Flight out_;
 };
@@ -352,12 +375,16 @@ double take_off_from(double ground, Px4Flight& flight, std::string_view source) 
   return was;
 }
 
-void begin_at(double begin, Px4Flight& flight) {
+bool begin_at(double begin, Px4Flight& flight) {
   std::vector<FlightSample>& samples = flight.log.samples;
-  std::erase_if(samples, [&](const FlightSample& s) { return s.time < begin; });
+  const auto left_out =
+      std::erase_if(samples, [&](const FlightSample& s) { return s.time < begin; });
+  const bool in_air = left_out > 0 && !(flight.takeoff && begin <= *flight.takeoff);
+  flight.log.cut = flight.log.cut || in_air;
   for (FlightSample& s : samples) s.time -= begin;
   if (flight.takeoff) *flight.takeoff -= begin;
   if (flight.takeoff && *flight.takeoff < 0) flight.takeoff.reset();
+  return in_air;
 }
 
 }  // namespace traj

@@ -244,9 +244,10 @@ class Reader {
     const auto id = value_at<std::uint16_t>(body, 1);
     Subscription subscription{std::string(name), std::nullopt};
     const bool wanted = std::find(topics_.begin(), topics_.end(), name) != topics_.end();
-    if (wanted && body[0] == 0) subscription.layout = layout_of(name);
+    const bool taken = wanted && body[0] == 0;  // of the topic's first instance
+    if (taken) subscription.layout = layout_of(name);
     const auto [known, fresh] = subscriptions_.emplace(id, std::move(subscription));
-    if (!fresh && known->second.topic != name) {
+    if (!fresh && (known->second.topic != name || known->second.layout.has_value() != taken)) {
       cut(begin, fmt::format("the number {} stands for two topics", id));
     }
   }

@@ -228,6 +228,50 @@ TEST(Px4Flight, IsCutWherePositionsAtItsEndAreLeftOut) {
   EXPECT_FALSE(log().local(3, {9, 0, 0}, false).local(4, {0, 0, 0}).read().log.cut);
 }
 
+TEST(Px4Flight, IsCutWhereItFliesBeforeItsFirstPosition) {
+  const auto first_at = [](double seconds, bool valid) {
+    return [=](Log log) {
+      return log.local(0.5, {0, 0, 0}, valid).local(seconds, {9, 0, -9}).read();
+    };
+  };
+  const auto lost = first_at(5, false);
+  const Log took_off = Log().row(kLanded, 0, true).row(kLanded, 3, false);
+  const Px4Flight flight = lost(took_off);
+  EXPECT_TRUE(flight.begins_in_air);
+  EXPECT_EQ(flight.left_out_at_begin, 1u);
+  EXPECT_TRUE(flight.log.cut);
+  EXPECT_TRUE(lost(Log()).log.cut) << "nothing says that it stood";
+  EXPECT_TRUE(lost(Log().row(kLanded, 0, false)).log.cut);
+  EXPECT_TRUE(lost(Log(took_off).row(kLanded, 4, true)).log.cut) << "flew and landed unseen";
+  EXPECT_FALSE(lost(Log().row(kLanded, 0, true)).log.cut) << "it stood";
+  EXPECT_TRUE(first_at(1, true)(Log().row(kLanded, 0, false)).log.cut) << "begins in the air";
+  EXPECT_FALSE(first_at(1, true)(Log().row(kLanded, 0, true).row(kLanded, 0.8, false)).log.cut);
+}
+
+TEST(Px4Flight, IsCutWhereOtherTopicsGoOnWithoutPositions) {
+  const auto battery_at = [](double seconds) {
+    return Log().local(1, {0, 0, 0}).row(kBattery, seconds, 0.5f, true).read();
+  };
+  EXPECT_FALSE(battery_at(1.9).log.cut);
+  EXPECT_TRUE(battery_at(2.1).log.cut);
+  EXPECT_TRUE(battery_at(2.1).ends_silent);
+}
+
+TEST(Px4Flight, IsCutWhereItBeginsAfterItsTakeOff) {
+  const auto begun = [](double begin, bool lands) {
+    Log log;
+    if (lands) log.row(kLanded, 0, true).local(1, {0, 0, 0}).row(kLanded, 2, false);
+    Px4Flight flight = log.local(3, {0, 0, -1}).local(4, {0, 0, -2}).local(5, {0, 0, -3}).read();
+    EXPECT_EQ(begin_at(begin, flight), flight.log.cut);
+    return flight.log.cut;
+  };
+  EXPECT_FALSE(begun(0, true));
+  EXPECT_FALSE(begun(1, true));
+  EXPECT_TRUE(begun(1.5, true));
+  EXPECT_FALSE(begun(0, false));
+  EXPECT_TRUE(begun(1.5, false)) << "nothing says when it took off";
+}
+
 TEST(Px4Flight, EndsWhereItsClockIsSetBack) {
   Log log;
   log.local(10, {0, 0, 0}).local(11, {0, 0, 0});

@@ -151,6 +151,9 @@ TEST(UlogReader, StopsWhereANumberStandsForTwoTopics) {
       read(kBegin + row(5, 1) + ulog_message('F', "r:float y;") + ulog_topic("r", 7) + row(6, 1));
   EXPECT_EQ(part.times.size(), 1u);
   EXPECT_EQ(part.summary.cut_why, "the number 7 stands for two topics");
+  const Read other = read(kBegin + row(5, 1) + ulog_topic("p", 7, 1) + row(6, 1));
+  EXPECT_EQ(other.times.size(), 1u) << "another instance of the topic";
+  EXPECT_EQ(other.summary.cut_why, part.summary.cut_why);
 }
 
 TEST(UlogReader, EndsASubscription) {

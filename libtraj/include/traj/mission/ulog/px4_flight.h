@@ -33,7 +33,12 @@ struct Px4Flight {
   std::size_t not_known = 0;  // of these, left out: the vehicle did not know where it was
   std::size_t nowhere = 0;    // left out: it did not know where on Earth that is, and `over` asks
   std::size_t back = 0;       // left out: the time did not grow, or its clock was set back by 1 s
-  std::size_t left_out_at_end = 0;  // of all these, the ones after the last sample: the log is cut
+  // Each of the next four says that the log is cut, if it is not 0 or false; the first one only
+  // where the vehicle may have flown then.
+  std::size_t left_out_at_begin = 0;  // of all these, the ones before the first sample
+  bool begins_in_air = false;         // it flew, or may have flown, before the first sample
+  std::size_t left_out_at_end = 0;    // the ones after the last sample
+  bool ends_silent = false;           // other topics go on for more than 1 s after the last sample
 
   std::optional<geom::GeodeticPlace> reference;  // the first, height above the sea
   std::optional<double> sea_level;               // m above the ellipsoid, as the log has it
@@ -59,7 +64,8 @@ Px4Flight read_px4_flight(std::istream& in, std::string_view source, const Px4Op
 // log has no take-off after a position. Before begin_at().
 double take_off_from(double ground, Px4Flight& flight, std::string_view source);
 
-// Leaves out all before `begin` seconds, and counts from there.
-void begin_at(double begin, Px4Flight& flight);
+// Leaves out all before `begin` seconds, and counts from there. Returns whether the vehicle may
+// have been in the air in what is left out; then the log is cut.
+bool begin_at(double begin, Px4Flight& flight);
 
 }  // namespace traj
