@@ -67,7 +67,8 @@ std::vector<geom::PathRecord> replan_each(const Paths& paths, cli::Scenes& scene
   const std::vector<Line>& lines = paths.lines;
   std::vector<geom::PathRecord> records(lines.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (!found(lines[i].record)) records[i] = plan::passed_on(lines[i].record);
+    if (found(lines[i].record)) continue;
+    records[i] = plan::passed_on(lines[i].record, scenes.map());
   }
   for (const std::vector<std::size_t>& group : by_scene(lines)) {
     const Line& first = lines[group.front()];

@@ -78,7 +78,7 @@ ReplannedRecord replanned_record(const geom::CollisionScene& scene, const geom::
 
 geom::PathRecord replanned(const geom::CollisionScene& scene, Planner& planner,
                            const geom::PathRecord& old, Quality quality) {
-  if (old.status != PathStatus::found) return passed_on(old);
+  if (old.status != PathStatus::found) return passed_on(old, scene.map());
   ReplannedRecord out = replanned_record(scene, old, replan(scene, planner, old.points, quality));
   if (!out.lost.empty()) {
     out.record.message =
@@ -88,10 +88,14 @@ geom::PathRecord replanned(const geom::CollisionScene& scene, Planner& planner,
   return std::move(out.record);
 }
 
-geom::PathRecord passed_on(geom::PathRecord record) {
-  record.bound.reset();
-  record.message = "no path to replan" + (record.message.empty() ? "" : ": " + record.message);
-  return record;
+geom::PathRecord passed_on(const geom::PathRecord& record, const geom::BoxMap& map) {
+  geom::PathRecord out{.id = record.id, .status = PathStatus::stopped, .time = record.time};
+  out.provenance = record.provenance;
+  out.provenance.map = map.hash();
+  out.provenance.frame = map.spec().frame.axes;
+  out.message = fmt::format("no path to replan: the record before says {}{}{}", name(record.status),
+                            record.message.empty() ? "" : ": ", record.message);
+  return out;
 }
 
 }  // namespace plan

@@ -74,15 +74,21 @@ TEST(Replanned, SaysInTheRecordWhichHoldsAreLost) {
             "the way leaves points 2 of the old path, whose holds and velocities are lost");
 }
 
-TEST(Replanned, PassesOnWhatHoldsNoPathWithoutItsBound) {
+TEST(Replanned, SaysNothingOfThisMapWhereTheOldRecordHoldsNoPath) {
   const auto scene = scene_of({}, kBounds, kHalf);
   Planner planner(scene);
   geom::PathRecord old{.id = "a", .status = geom::PathStatus::unreachable, .message = "walled in"};
+  old.provenance = {.map = "sha256:0", .margin = 2};
   old.bound = 7;
+  old.search.emplace();
+  old.closed_times = true;
   const geom::PathRecord record = replanned(scene, planner, old);
-  EXPECT_EQ(record.status, geom::PathStatus::unreachable);
-  EXPECT_EQ(record.message, "no path to replan: walled in");
-  EXPECT_FALSE(record.bound);
+  EXPECT_EQ(record.id, "a");
+  EXPECT_EQ(record.status, geom::PathStatus::stopped);
+  EXPECT_EQ(record.message, "no path to replan: the record before says unreachable: walled in");
+  EXPECT_EQ(record.provenance.map, scene.map().hash());
+  EXPECT_EQ(record.provenance.margin, 2);
+  EXPECT_FALSE(record.bound || record.search || record.closed_times);
 }
 
 }  // namespace

@@ -28,10 +28,11 @@ ReplannedRecord replanned_record(const geom::CollisionScene& scene, const geom::
                                  const ReplanResult& result);
 
 // The record of a path of another map, kept or mended over the scene of the planner. Its message
-// says which holds and velocities were lost. A record that holds no path is passed on, without its
-// bound, which is of another map.
+// says which holds and velocities were lost. A record that holds no path has no ends either:
+// nothing is known of it on this map, so its status becomes `stopped`, and its message says what it
+// was.
 geom::PathRecord replanned(const geom::CollisionScene& scene, Planner& planner,
                            const geom::PathRecord& old, Quality quality = Quality::normal);
-geom::PathRecord passed_on(geom::PathRecord record);
+geom::PathRecord passed_on(const geom::PathRecord& record, const geom::BoxMap& map);
 
 }  // namespace plan
