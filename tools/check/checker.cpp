@@ -154,7 +154,7 @@ std::size_t Checker::each_file(const std::string& text, const std::string& sourc
   std::size_t total = 0;
   const geom::Frame& frame = scenes_.map().spec().frame;
   const auto flights = cli::read_drone_file(text, source, drone_file, frame);
-  drone_file.terrain.require_used(flights, source);
+  drone_file.require_used(flights, source);
   for (const traj::FileFlight& one : flights) {
     if (!shard.takes(total++)) continue;
     for (const std::string& note : one.notes) common_.warn(one.id + ": " + note);

@@ -151,7 +151,7 @@ void Options::add_to(CLI::App& app) {
 std::vector<traj::FileFlight> read(cli::InputFile& file, const Options& options,
                                    const geom::Frame& frame) {
   auto flights = cli::read_drone_file(file.read_all(), file.name(), options.file, frame);
-  options.file.terrain.require_used(flights, file.name());
+  options.file.require_used(flights, file.name());
   if (options.id.empty()) return flights;
   if (flights.size() > 1) throw cli::UsageError("--id names one record, found more");
   flights.front().id = options.id;

@@ -37,7 +37,7 @@ FlightReturn flight_return(const FlownMission& mission, const Flier& flier,
         std::find_if(flier.autopilots.begin(), flier.autopilots.end(),
                      [&](const Autopilot& one) { return one.name == drift.autopilot; });
     assert(autopilot != flier.autopilots.end());  // the mission was read for this flier
-    out.task.models.push_back(model_of(*autopilot, height));
+    out.task.models.push_back(model_of(*autopilot, flier.return_height(height)));
     out.task.models.back().around += mission.path_stray;
     out.stages.push_back(stages_of(drift));
   }
@@ -50,7 +50,7 @@ FlightReturn dji_flight_return(const geom::CollisionScene& scene, FlownMission m
   if (mission.lands_below && !mission.ends.landing_on) {
     mission.ends.landing_on = ground_below(scene, mission.path.back());
   }
-  const auto height = asked.height ? asked.height : mission.return_height;
+  const auto height = mission.return_height ? mission.return_height : asked.height;
   if (!height && asked.height_counts) {
     throw geom::UsageError(
         "the height of the return is a setting of the aircraft: give it with --return-height");
@@ -81,7 +81,7 @@ FlightReturn flight_return(const geom::CollisionScene& scene,
   add_pad(scene, begin, out.task);
   add_pad(scene, end, out.task);
   for (const Autopilot& autopilot : flier.autopilots) {
-    out.task.models.push_back(model_of(autopilot, height));
+    out.task.models.push_back(model_of(autopilot, flier.return_height(height)));
   }
   out.stages.assign(out.task.models.size(), stages);
   return out;

@@ -47,6 +47,7 @@ class ReturnExport {
     for (Autopilot& one : options_.flier.autopilots) {
       if (wishes.height) one.return_height = height_as_set(one, *wishes.height);
     }
+    if (wishes.height) options_.flier.returns_at.reset();  // --params-out sets it
     if (options_.flier.exactly) options_.flier.exactly = options_.flier.autopilots.front();
     budget_ = wishes.budget.value_or(fence_budget(options_.flier.autopilots));
   }

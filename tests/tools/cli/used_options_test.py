@@ -51,8 +51,6 @@ ALIKE = {("skyway-import", "--frame"): {"fcnd"}, ("skyway-export", "--tolerance"
          ("skyway-export", "--spare"): {"setpoints", "kml", "geojson", "gltf", "crazyflie"},
          ("skyway-export", "--autopilot"): MISSIONS, ("skyway-export", "--params"): MISSIONS, ("skyway-export", "--drag"): MISSIONS,
          ("skyway-import-trajectory", "--gap"): {"crazyflie"}, ("skyway-check", "--acceptance"): MISSIONS}
-for reader in ("skyway-check", "skyway-import-trajectory"):
-    ALIKE |= {(reader, "--return-height"): MISSIONS | {"dji-wpml"}, (reader, "--terrain-height"): MISSIONS}
 
 
 def run(*command):

@@ -159,7 +159,8 @@ TEST(CheckReturn, OfDjiNeedsAHeightAndASpeed) {
   const ReturnReport report = check_return(scene_of({}), dji(5, 60), px4_flier(), {});
   EXPECT_TRUE(report.ok());
   EXPECT_EQ(report.autopilot, "dji");
-  EXPECT_EQ(check_return(scene_of({}), dji(5, 60), px4_flier(), {.height = 45}).height, 45);
+  EXPECT_EQ(check_return(scene_of({}), dji(5, 60), px4_flier(), {.height = 45}).height, 60)
+      << "the file's, to which the aircraft is set";
   FileFlight returning = dji({}, 60);  // a mission that ends with a return
   std::get<FlownMission>(returning.flown.way).speed_before_return = 5;
   EXPECT_TRUE(check_return(scene_of({}), returning, px4_flier(), {}).ok());

@@ -10,6 +10,7 @@
 #include "traj/files/drone_formats.h"
 #include "traj/files/own_formats.h"
 #include "traj/mission/formats/mission_formats.h"
+#include "traj/mission/idle_rules.h"
 
 namespace cli {
 namespace {
@@ -124,6 +125,16 @@ void DroneFileOptions::require_used(const CLI::App& parser,
                                     std::vector<std::string_view> of_formats) {
   of_formats.insert(of_formats.end(), {kRecordsWord, kFlightLogWord});
   cli::require_used(parser, reading_options(), of_formats, "no file is one of these");
+}
+
+void DroneFileOptions::require_used(std::span<const traj::FileFlight> flights,
+                                    const std::string& source) const {
+  traj::MissionRules rules = reading.rules;
+  const CLI::Option* const returns = app ? app->get_option_no_throw("--return") : nullptr;
+  if (returns && returns->count() > 0) rules.return_height.reset();  // it is used for that
+  if (const auto idle = traj::idle_rule(rules, flights)) {
+    throw UsageError(fmt::format("{}, and {} has none: leave it out", *idle, source));
+  }
 }
 
 void DroneFileOptions::add_mission_to(CLI::App& parser) {

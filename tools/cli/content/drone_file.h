@@ -54,6 +54,8 @@ struct DroneFileOptions {
   // The same for the options of `parser`, if none of the files that were read uses them: of these
   // formats, beside records and flight logs.
   static void require_used(const CLI::App& parser, std::vector<std::string_view> of_formats);
+  // Throws UsageError for a height, ground or terrain that no flight of the file uses.
+  void require_used(std::span<const traj::FileFlight> flights, const std::string& source) const;
 };
 
 // kAuto, and the words of the formats that a tool of this name reads.

@@ -60,26 +60,6 @@ void TerrainOption::refuse_idle(const traj::MissionRules& rules) const {
   }
 }
 
-void TerrainOption::require_used(std::span<const traj::FileFlight> flights,
-                                 const std::string& source) const {
-  const auto uses = [&](bool surface) {
-    return std::any_of(flights.begin(), flights.end(), [&](const traj::FileFlight& one) {
-      const traj::FlownMission* mission = traj::mission_of(one.flown);
-      return mission && mission->terrain && mission->terrain->surface.has_value() == surface;
-    });
-  };
-  if (error_ && !uses(false)) {
-    throw geom::UsageError(fmt::format(
-        "--terrain-error is for heights above terrain, and {} has none: leave it out", source));
-  }
-  if (surface_ && !uses(true)) {
-    throw geom::UsageError(
-        fmt::format("--surface-band is for an aircraft of DJI that follows the surface, and by {} "
-                    "it does not: leave it out",
-                    source));
-  }
-}
-
 void TerrainOption::settle(const geom::Frame& frame, traj::MissionRules& rules) {
   if (word_.empty()) return;
   if (!ground_) ground_ = ground_from(word_);

@@ -22,9 +22,6 @@ class TerrainOption {
   // rules.
   void refuse_idle(const traj::MissionRules& rules) const;
 
-  // Throws UsageError where no flight of the file uses the metres that were given.
-  void require_used(std::span<const traj::FileFlight> flights, const std::string& source) const;
-
   // Reads the ground, where it was given, once. Throws InputError where it is that of another map.
   // The rules point into this.
   void settle(const geom::Frame& frame, traj::MissionRules& rules);

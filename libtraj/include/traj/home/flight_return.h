@@ -23,15 +23,15 @@ struct FlightReturn {
 };
 
 // As each autopilot of the flier that loads the mission may fly it, to the mission's home or one of
-// its rally points, within its fences. `height`: m above home, in place of the autopilots' own. The
-// mission knows its home (precondition).
+// its rally points, within its fences. `height`: m above home, in place of the firmwares' own
+// (Flier::return_height, whose throws it has). The mission knows its home (precondition).
 FlightReturn flight_return(const FlownMission& mission, const Flier& flier,
                            const std::optional<double>& height);
 
-// As an aircraft of DJI flies it, from its way down to the ground, too. `height`: m above home;
-// else the mission's own. `speed`: m/s, where the mission does not say it. Throws geom::UsageError
-// where nobody says the speed, or the height and `height_counts`. The mission knows its home
-// (precondition).
+// As an aircraft of DJI flies it, from its way down to the ground, too. `height`: m above home,
+// where the file does not say it. `speed`: m/s, where the mission does not say it. Throws
+// geom::UsageError where nobody says the speed, or the height and `height_counts`. The mission
+// knows its home (precondition).
 struct DjiReturnAsked {
   std::optional<double> height = {};
   std::optional<double> speed = {};

@@ -58,6 +58,7 @@ class DjiFlight {
   }
 
   FlownDji fly() {
+    require_same_return();
     const DjiWaypoint* last = nullptr;
     for (const DjiWayline& wayline : mission_.waylines) {
       last ? go_on(wayline, *last) : begin(wayline);
@@ -102,6 +103,17 @@ class DjiFlight {
     Vec3 p = earth_.enu({latitude, longitude, 0});
     p.z() = z;
     return p;
+  }
+
+  // The aircraft takes the file's height when the mission is loaded, whatever was set before.
+  void require_same_return() const {
+    const auto& said = mission_.return_height;
+    const auto& asked = rules_.return_height;
+    if (!said || !asked || *said == *asked) return;
+    throw geom::InputError(
+        source_, {.expected = fmt::format("globalRTHHeight {:g}, as --return-height says", *asked),
+                  .found = fmt::format("{:g}", *said),
+                  .advice = "the aircraft returns at the file's height: leave the option out"});
   }
 
   const DjiWaypoint& first_waypoint() const { return mission_.waylines.front().waypoints.front(); }
@@ -385,7 +397,8 @@ class DjiFlight {
     --item_;  // the last waypoint
     flown_.lands_below = mission_.finish == DjiFinish::land;
     flown_.returns = mission_.finish == DjiFinish::first_waypoint;
-    if (mission_.finish == DjiFinish::go_home) return_home();
+    flown_.ends_at_home = mission_.finish == DjiFinish::go_home;
+    if (flown_.ends_at_home) return_home();
     if (flown_.lands_below || flown_.ends.landing_on) {
       flown_.legs.push_back({item_, Manoeuvre::landing});
     }

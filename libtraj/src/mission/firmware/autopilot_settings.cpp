@@ -190,6 +190,7 @@ void take_all(const AutopilotSettings& settings, const Parameter (&table)[N],
                       .found = fmt::format("{:g}", found->second)});
     }
     field = found->second * one.unit;
+    out.says_return_height = out.says_return_height || one.field == &Autopilot::return_height;
   }
 }
 

@@ -1,6 +1,9 @@
 #include "traj/mission/formats/flier.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "geom/base/text_stream.h"
@@ -17,13 +20,25 @@ Vec3 box_of(const std::optional<Uncertainty>& value) {
 
 }  // namespace
 
+std::optional<double> Flier::return_height(const std::optional<double>& asked) const {
+  constexpr double kSame = 0.01;  // m: what parameters in centimetres keep
+  if (asked && returns_at && std::abs(*asked - *returns_at) > kSame) {
+    throw geom::UsageError(fmt::format(
+        "--return-height is {:g} m, and the autopilot's parameters say {:g} m, at which "
+        "it returns: leave the option out, or give the parameters that it will have",
+        *asked, *returns_at));
+  }
+  if (returns_at) return returns_at;
+  return asked || !exactly ? asked : std::optional(exactly->return_height);
+}
+
 MissionRules Flier::rules(MissionRules rules) const {
   rules.autopilots = autopilots;
   if (!exactly) return rules;
   if (!rules.acceptance) rules.acceptance = exactly->acceptance;
   if (!rules.speed) rules.speed = exactly->speed;
   rules.braking = std::min(rules.braking, exactly->acceleration);
-  if (!rules.return_height) rules.return_height = exactly->return_height;
+  rules.return_height = return_height(rules.return_height);
   return rules;
 }
 
@@ -40,6 +55,7 @@ Flier with_autopilots(Flier flier, const AutopilotChoice& choice) {
     SetAutopilot set = set_autopilot(settings, flier.autopilots, choice.parameters_name);
     flier.autopilots = {set.autopilot};
     flier.exactly = set.autopilot;
+    if (set.says_return_height) flier.returns_at = set.autopilot.return_height;
     flier.assumed = std::move(set.assumed);
   }
   if (!choice.drag) return flier;

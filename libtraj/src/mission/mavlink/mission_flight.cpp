@@ -57,6 +57,7 @@ class Flight {
       throw geom::InputError(source_, {.expected = "at least one waypoint", .found = "none"});
     }
     flown_.path_stray = kMissionStray;
+    flown_.counts_from_flat_ground = rules_.ground && counts_from_terrain(mission_);
     flown_.least_seconds = clock_.seconds();
     flown_.returns_if_lost = std::all_of(rules_.autopilots.begin(), rules_.autopilots.end(),
                                          [](const Autopilot& one) { return one.returns_if_lost; });
@@ -368,7 +369,7 @@ class Flight {
   }
 
   void return_home() {
-    flown_.ended = true;
+    flown_.ended = flown_.ends_at_home = true;
     // A mission with a landing of its own may be returned to instead of home.
     const bool lands_elsewhere =
         std::any_of(mission_.items.begin(), mission_.items.end(),

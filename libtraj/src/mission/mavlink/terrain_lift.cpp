@@ -361,12 +361,15 @@ class Raising {
 
 }  // namespace
 
+bool counts_from_terrain(const Mission& mission) {
+  return std::any_of(mission.items.begin(), mission.items.end(),
+                     [](const MissionItem& one) { return counts_from_terrain(one); });
+}
+
 bool counts_from_terrain(const Mission& mission, const MissionRules& rules,
                          std::string_view source) {
   if (!rules.terrain) return false;
-  const bool any = std::any_of(mission.items.begin(), mission.items.end(),
-                               [](const MissionItem& one) { return counts_from_terrain(one); });
-  if (!any) return false;
+  if (!counts_from_terrain(mission)) return false;
   if (!rules.terrain->error) {
     throw geom::InputError(
         source, {.says = "its heights count from terrain, and nobody says how far the autopilot's "

@@ -13,9 +13,12 @@
 
 namespace traj {
 
-// Whether its waypoints count from the terrain, so that the flight must be raised. Throws
-// geom::InputError(source, line, …) at an item that cannot be told then: a waypoint that counts
-// from elsewhere, an altitude of 0, a climb (31), a payload's place.
+// Whether the height of any item counts from the terrain.
+bool counts_from_terrain(const Mission& mission);
+
+// Whether its waypoints count from the terrain by such rules, so that the flight must be raised.
+// Throws geom::InputError(source, line, …) at an item that cannot be told then: a waypoint that
+// counts from elsewhere, an altitude of 0, a climb (31), a payload's place.
 bool counts_from_terrain(const Mission& mission, const MissionRules& rules,
                          std::string_view source);
 

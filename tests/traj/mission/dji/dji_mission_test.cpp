@@ -152,6 +152,7 @@ TEST(FlownDji, ReturnsAtTheHeightThatTheFileSays) {
   m.return_height = 60;
   const FlownDji flown = fly(m);
   EXPECT_FALSE(flown.returns);
+  EXPECT_TRUE(flown.ends_at_home);
   EXPECT_EQ(flown.returns_at, 60);
   EXPECT_FALSE(flown.speed) << "the return's is the aircraft's own";
   EXPECT_EQ(flown.ends.landing_on, 10);
@@ -167,8 +168,17 @@ TEST(FlownDji, ReturnsAtTheHeightThatIsGivenWhereTheFileSaysNone) {
   const FlownDji flown = fly(m, {{}, 60});
   EXPECT_FALSE(flown.returns);
   EXPECT_EQ(flown.returns_at, 60);
+}
+
+TEST(FlownDji, RefusesAReturnHeightOtherThanTheFiles) {
+  DjiMission m = dji_example();
   m.return_height = 70;
-  EXPECT_EQ(fly(m, {{}, 60}).returns_at, 70);
+  EXPECT_EQ(fly(m, {{}, 70}).return_height, 70);
+  EXPECT_EQ(support::refusal_of([&] {
+              fly(m, {{}, 60});
+            }),
+            "m.kmz: expected globalRTHHeight 60, as --return-height says, found 70: the "
+            "aircraft returns at the file's height: leave the option out");
 }
 
 TEST(FlownDji, AReturnFromNearHomeMayRiseOrNot) {

@@ -29,6 +29,23 @@ TEST(Flier, SaysWhatTheRulesLeaveOpen) {
   EXPECT_EQ(said.return_height, 20);
 }
 
+TEST(Flier, ReturnsAtTheHeightOfItsParameters) {
+  EXPECT_EQ(Flier().return_height(60), 60);
+  EXPECT_FALSE(Flier().return_height({}));
+  const auto set = [](const char* parameters) {
+    return with_autopilots({}, {.word = "any", .parameters = parameters, .parameters_name = "p"});
+  };
+  const Flier says = set("RTL_ALT 3000\n");
+  EXPECT_EQ(says.return_height({}), 30);
+  EXPECT_EQ(says.return_height(30.004), 30);
+  EXPECT_EQ(says.rules({.return_height = 30}).return_height, 30);
+  EXPECT_THROW(says.return_height(60), geom::UsageError);
+  EXPECT_THROW(says.rules({.return_height = 60}), geom::UsageError);
+  const Flier silent = set("WPNAV_SPEED 500\n");
+  EXPECT_EQ(silent.return_height({}), 15) << "the firmware's";
+  EXPECT_EQ(silent.return_height(60), 60) << "nothing says otherwise";
+}
+
 TEST(Flier, AllowsForNavigationAndWhereItTracksForThat) {
   Flier flier;
   EXPECT_EQ(flier.allowance(true), Vec3(0, 0, 0));

@@ -256,6 +256,8 @@ TEST(FlownMission, ReturnsAtTheHeightThatIsGiven) {
   EXPECT_TRUE(swept(flown, Manoeuvre::return_home, {90, 0, 50})) << "from 10 m before its end";
   EXPECT_FALSE(swept(flown, Manoeuvre::return_home, {50, 0, 60})) << "100 m away, 60 m high";
   EXPECT_FALSE(flown.speed) << "it returns with a speed of its own";
+  EXPECT_TRUE(flown.ends_at_home);
+  EXPECT_FALSE(flown.counts_from_flat_ground);
   const FlownMavlink low = maker.fly({.return_height = 5});
   expect_near(low.path[3], {0, 0, 30});
 }
@@ -354,6 +356,7 @@ TEST(FlownMission, TakesHeightsAboveFlatTerrain) {
       "the ground is flat, give its height; over other ground an autopilot follows terrain data of "
       "its own, which no file shows: give a height model of it (--ground-model)");
   EXPECT_NEAR(maker.fly({.ground = 3}).path.back().z(), 23, 1e-9);
+  EXPECT_TRUE(maker.fly({.ground = 3}).counts_from_flat_ground);
 }
 
 // The sea level falls by 1 m to the east of home.

@@ -197,7 +197,8 @@ struct DjiRules {
 // A return from within 20 m of home, where some land at once, or without a height is no way that is
 // known (`returns`). Nor is gotoFirstWaypoint.
 //   The take-off must be on that ground within 5 m, or they count from different zeros.
-// Throws geom::InputError(source, line, …) where waylines follow the surface and `surface` is not
+// Throws geom::InputError(source, …) where the file says another height of the return than
+// `return_height`; with a line, where waylines follow the surface and `surface` is not
 // given, others do not, or nobody says how fast the aircraft climbs; where no ground is known, for
 // places that are not near the origin, and where aircraft differ in how they begin: M300 and M350
 // do not rise to the security height first.

@@ -36,6 +36,7 @@ AutopilotSettings read_autopilot_settings(std::istream& in, std::string_view sou
 struct SetAutopilot {
   Autopilot autopilot;
   std::vector<std::string> assumed;
+  bool says_return_height = false;  // else that is the firmware's, too
 };
 
 // The firmware is the one whose names the file has. `asked`: the autopilots that may fly; where

@@ -67,13 +67,15 @@ struct FlownMission : FlownLegs {
   std::vector<Vec3> rally_points;  // all of the file, whether or not the mission ends with a return
   std::optional<double> return_height;        // m above home that the file asks for
   std::optional<double> speed_before_return;  // m/s, if only the return's is not known
-  std::vector<Vec3> touches;      // places in the air from which it sinks to the ground on its way
-  std::optional<Vec3> home;       // as assumed: in the file, or under the first point
-  bool returns = false;           // ends with a return to home, by a way that is not known
-  std::size_t idle_items = 0;     // that move nothing
-  std::size_t endless_jumps = 0;  // jumps for ever: their loops are looked at flown twice
-  std::size_t corners = 0;        // points between two legs without a rest
-  double acceptance = 0;          // m around these, the most that was swept
+  std::vector<Vec3> touches;  // places in the air from which it sinks to the ground on its way
+  std::optional<Vec3> home;   // as assumed: in the file, or under the first point
+  bool ends_at_home = false;  // ends with a return to home, at a height that no file says
+  bool counts_from_flat_ground = false;  // a height of it does (MissionRules::ground)
+  bool returns = false;                  // ends with a return to home, by a way that is not known
+  std::size_t idle_items = 0;            // that move nothing
+  std::size_t endless_jumps = 0;         // jumps for ever: their loops are looked at flown twice
+  std::size_t corners = 0;               // points between two legs without a rest
+  double acceptance = 0;                 // m around these, the most that was swept
   // Of a mission with heights above terrain: each place above is a band of heights, and the
   // vehicle's height in it is not known at any instant.
   std::optional<TerrainClaim> terrain = {};

@@ -25,11 +25,17 @@ struct Uncertainty {
 struct Flier {
   std::vector<Autopilot> autopilots{px4(), ardupilot()};  // any of which may fly; not empty
   std::optional<Autopilot> exactly = {};                  // the one whose parameters are known
-  std::vector<std::string> assumed = {};       // parameters of it that are the firmware's
+  std::optional<double> returns_at = {};  // m above home, where these parameters say it themselves
+  std::vector<std::string> assumed = {};  // parameters of it that are the firmware's
   std::optional<Uncertainty> navigation = {};  // how wrong it may be about its place
   std::optional<Uncertainty> tracking = {};    // how far it may stray; missions have a model
 
-  // The rules with what is known of the autopilot; what the rules say already goes before it.
+  // The height of a return, m above home: `asked`, else that of the autopilot that is known
+  // exactly. Throws UsageError where its parameters say another one, for it returns at theirs.
+  std::optional<double> return_height(const std::optional<double>& asked) const;
+
+  // The rules with what is known of the autopilot; what the rules say already goes before it, but
+  // for the height of a return.
   MissionRules rules(MissionRules rules) const;
 
   // Metres along each axis that the vehicle's box is larger by: navigation, and with `tracks` what
