@@ -14,6 +14,7 @@
 #include "geom/base/error.h"
 #include "geom/base/in_order.h"
 #include "geom/base/text_stream.h"
+#include "geom/base/usage_error.h"
 #include "geom/map/box_map_file.h"
 #include "geom/map/ground_model.h"
 #include "geom/record/scenes.h"
@@ -46,7 +47,11 @@ class Folder {
 
   SubmissionCheck check() {
     SubmissionCheck out;
-    out.refusal = refusal();
+    try {
+      out.refusal = refusal();
+    } catch (const geom::UsageError& error) {  // what was asked for stands in the folder
+      out.refusal = Refusal{"submission.json", error.what()};
+    }
     out.manifest = hash_;
     out.flights = claims_.size();
     out.files = listed_.size() + 1;
@@ -178,6 +183,9 @@ class Folder {
         method.endurance != operation_.uas.endurance) {
       return Refusal{"submission.json",
                      "its dimension and endurance are not those of the operation"};
+    }
+    if (!submission_.missions.empty() && !method.made_for.vehicle) {
+      return Refusal{"submission.json", "it has missions and no vehicle"};
     }
     if (!autopilots_of(method.autopilot)) {
       return Refusal{"submission.json", "it names an autopilot that nobody knows"};

@@ -8,6 +8,11 @@
 #include "geom/collision/collision.h"
 
 namespace traj {
+namespace {
+
+constexpr double kLevel = 1;  // m, by which homes may differ from the ground of the map
+
+}  // namespace
 
 SubmittedFlight::SubmittedFlight(const geom::CollisionScene& scene, const SubmissionMethod& method)
     : scene_(scene), method_(method) {}
@@ -25,6 +30,12 @@ std::string SubmittedFlight::refusal() const {
   if (method_.endurance && duration() > *method_.endurance) {
     return fmt::format("it takes {:.1f} s, and the operation says that the vehicle flies {:.1f} s",
                        duration(), *method_.endurance);
+  }
+  if (lowest() < method_.floor - kLevel) {
+    return fmt::format(
+        "it comes down to z = {:.2f}, lower than all ground below is said to be (z = {:g}): its "
+        "ground risk buffers would be too narrow (--ground-level)",
+        lowest(), method_.floor);
   }
   return "";
 }

@@ -114,6 +114,12 @@ std::optional<std::string> SubmittedMission::why_no_times() const {
   return fmt::format("it takes about {:.0f} s, and --between leaves it {:.0f} s", seconds_, least);
 }
 
+double SubmittedMission::lowest() const {
+  double low = mission_.home->z();
+  for (const Vec3& place : mission_.path) low = std::min(low, place.z());
+  return low;
+}
+
 std::vector<SubmittedMission::Region> SubmittedMission::regions() const {
   std::vector<Region> out;
   const Vec3 around = Vec3::Constant(method_.buffer) + mission_.path_stray;

@@ -47,6 +47,12 @@ std::optional<std::string> SubmittedTrajectory::why_no_times() const {
          "\": give it to the query, or let skyway-fleet choose departures";
 }
 
+double SubmittedTrajectory::lowest() const {
+  double low = enu_.segments.front().point.front().z();
+  for (const Segment& one : enu_.segments) low = std::min(low, one.point.back().z());
+  return low;
+}
+
 double SubmittedTrajectory::duration() const { return report_.result.duration; }
 
 FlightOnEarth SubmittedTrajectory::on_earth() const {

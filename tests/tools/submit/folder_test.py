@@ -255,8 +255,9 @@ def changed(old):
     return {EPOCH: "2026-05-04T06:30:01Z"}.get(old, old + "x") if isinstance(old, str) else 1
 
 
-def change_values(folder, where, name, step=1, keep=()):
-    """Each value of a JSON or JSON Lines file, signed anew; `keep`: keys whose larger value still holds."""
+def change_values(folder, where, name, step=1, keep=(), unread=None):
+    """Each value of a JSON or JSON Lines file, signed anew; `keep`: keys whose larger value still holds; `unread`: of claims, those that
+    the script does not look at, or that may be larger. Without it the script is not asked."""
     lines = (folder / name).read_text(encoding="utf-8").splitlines()
     texts = lines if name.endswith(".jsonl") else ["\n".join(lines)]
     for row, text in enumerate(texts):
@@ -273,7 +274,8 @@ def change_values(folder, where, name, step=1, keep=()):
             new[row] = json.dumps(value, separators=(",", ":"), ensure_ascii=False)
             (mutant / name).write_text("\n".join(new) + "\n", encoding="utf-8")
             sign(mutant)
-            expect_refused(mutant, f"{name}, line {row + 1}, {path}", script=False)
+            script = unread is not None and json.loads(text)["kind"] == "trajectory" and not set(path) & set(unread)
+            expect_refused(mutant, f"{name}, line {row + 1}, {path}", script=script)
 
 
 def hide_doubts(folder, where):
@@ -285,6 +287,24 @@ def hide_doubts(folder, where):
         (mutant / name).write_text(text, encoding="utf-8")
     sign(mutant)
     expect_refused(mutant, "without doubts", "its doubts are not those of the map's history", script=False)
+
+
+def raise_ground(folder, where):
+    """The floor of all ground lies above a flight: then buffers would be too narrow."""
+    mutant = copy(folder, where)
+    set_text(mutant / "submission.json", (f'"floor":{floor_of(folder)}', '"floor":14.5'))
+    sign(mutant)
+    expect_refused(mutant, "a floor above the flights", "lower than all ground")
+
+
+def lose_vehicle(folder, where):
+    """Then nobody knows what flies its missions."""
+    mutant = copy(folder, where)
+    text, count = re.subn(r'"vehicle":\{"name".*?\},("margin")', r"\1", (mutant / "submission.json").read_text(encoding="utf-8"), count=1)
+    assert count == 1
+    (mutant / "submission.json").write_text(text, encoding="utf-8")
+    sign(mutant)
+    expect_refused(mutant, "without a vehicle", "submission.json: refused: it has missions and no vehicle", script=False)
 
 
 def shrink(folder, where, name, key):
@@ -473,10 +493,12 @@ def main():
         change_files(folders[0], where)
         for folder in folders:
             change_values(folder, where, "submission.json", keep=("volumes",))  # at most so many
-            change_values(folder, where, "claims.jsonl")
+            change_values(folder, where, "claims.jsonl", unread=("type", "clearance", "returns", "people", "people_unknown"))
             for kind, key in (("volumes/north.json", "volumes"), ("risk/north.geojson", "features")):
                 rows_of.clear()
                 shrink(folder, where, kind, key)
+        raise_ground(folders[0], where)
+        lose_vehicle(folders[0], where)
         change_values(folders[0], where, "operation.json")
         change_values(folders[0], where, "flights.jsonl", step=29, keep=("solver", "yaw"))
         change_values(folders[0], where, "certificates.jsonl", step=11)

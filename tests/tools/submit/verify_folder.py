@@ -13,7 +13,7 @@ Python's standard library is enough. The script works out
   of the formulas;
 - the people in all cells of population.csv that a ground risk buffer touches, how many of these have no number,
   and that the cells hold every buffer whole;
-- durations, energy and the times of claims.jsonl.
+- of claims.jsonl all but clearances and returns, which the verdict names; no flight is below the ground.
 
 It reads no page: summary.html and page.html count as files alone, and the verdict names them. skyway-check
 FOLDER proves that summary.html says what the other files say.
@@ -243,7 +243,7 @@ def contingency_size(risk, speed):
     errors = risk["position_error"] + risk["holding_error"] + risk["map_error"]
     stop = speed ** 2 / (2 * GRAVITY * math.tan(risk["tilt"]))
     return (errors + speed * risk["reaction"] + stop,
-            risk["altitude_error"] + math.sqrt(0.5) * speed * risk["reaction"] + speed ** 2 / (2 * GRAVITY))
+            risk["altitude_error"] + 0.7072 * speed * risk["reaction"] + speed ** 2 / (2 * GRAVITY))
 
 
 def ground_buffer(risk, speed, height):
@@ -277,7 +277,6 @@ def check_risk(risk, nominal, off_nominal, method, claims):
 
 
 # ---- people
-
 def population(folder, origin):
     """The cells of a population raster, and the edges that only one of them has."""
     path = os.path.join(folder, "population.csv")
@@ -323,15 +322,29 @@ def people_below(population, buffers, file):
 
 # ---- all of it
 
-def check_claims(record, claims, method):
-    duration = float(sum(Fraction(s["duration"]) for s in record["segments"]))
-    file = "claims.jsonl"
+def check_sizes(claims, method, nominal, buffers):
+    file, (across, vertical) = "claims.jsonl", contingency_size(method["risk"], claims["speed"])
+    top = max([0.0, *(v["high"] - method["origin"][2] - method["floor"] for v in nominal)])
+    for key, size in (("contingency_across", across), ("contingency_vertical", vertical), ("top", top),
+                      ("buffer", max(b["said"]["buffer_m"] for b in buffers))):
+        require(abs(claims[key] - size) <= 1e-6 * max(1, size), file, f"{claims['id']}: {key} is {size}")
+
+
+def check_claims(record, claims, method, certificate):
+    file, duration = "claims.jsonl", float(sum(Fraction(s["duration"]) for s in record["segments"]))
     require(abs(claims["duration"] - duration) <= 1e-9 * max(1, duration), file, f"{claims['id']} lasts {duration} s")
     begin = instant(record["epoch"]).timestamp() + record["start"]
-    require(instant(claims["begins"]).timestamp() <= begin + 1e-6, file, f"{claims['id']} begins before that")
-    require(instant(claims["ends"]).timestamp() >= begin + duration - 1e-6, file, f"{claims['id']} ends after that")
-    require(claims["half"] == record.get("vehicle", {}).get("half", claims["half"]), file, "the vehicle is another")
-    require(claims["margin"] >= record.get("margin", 0), file, "the margin is another")
+    begins, ends = (instant(claims[key]).timestamp() for key in ("begins", "ends"))
+    require(-1e-6 <= begin - begins <= 0.0011, file, f"{claims['id']} begins at another time")
+    require(-1e-6 <= ends - begin - duration <= 0.0011, file, f"{claims['id']} ends at another time")
+    vehicle, most = certificate["vehicle"], [certificate["limits"].get(key, math.inf) for key in ("vmax", "vmax_h", "vmax_v")]
+    speed = min(most[0], math.hypot(*most[1:]))
+    require([claims["vehicle"], claims["half"]] == [vehicle["name"], vehicle["half"]], file, "the vehicle is another")
+    require(claims["margin"] == certificate["margin"], file, "the margin is another")
+    require(abs(claims["speed"] - speed) <= 1e-12 * speed, file, f"the certificate of {claims['id']} is for {speed} m/s")
+    lowest = min(s["z"][end] for s in record["segments"] for end in (0, 7))
+    require(lowest >= method["floor"] - 1, file, f"{claims['id']} comes down to z = {lowest}, below the floor of all ground")
+    require(("energy" in claims) == ("energy" in method), file, "an energy without a battery, or a battery without one")
     if "energy" in method:
         energy = method["energy"]
         require(abs(claims["energy"] - energy["power"] * duration) <= 1e-6 * claims["energy"], file, "another energy follows")
@@ -392,8 +405,11 @@ def check_tubes(folder, method, records, claims):
 
 
 def check_certificates(folder, found):
-    if "flights.jsonl" in found:
-        follow(folder, "verify_certificate.py", ["flights.jsonl", "map.boxmap", "certificates.jsonl"])
+    """The certificates by their ids."""
+    if "flights.jsonl" not in found:
+        return {}
+    follow(folder, "verify_certificate.py", ["flights.jsonl", "map.boxmap", "certificates.jsonl"])
+    return {one["id"]: one for one in lines(folder, "certificates.jsonl")}
 
 
 def check_pairs(folder, found, submission, flights):
@@ -430,7 +446,10 @@ def check(folder):
     require(len({one["id"] for one in claims}) == len(claims), "claims.jsonl", "an id comes twice")
     require(len(claims) == submission["flights"], "claims.jsonl", "flights are missing")
     require(set(records) == {c["id"] for c in claims if c["kind"] == "trajectory"}, "claims.jsonl", "its flights are others")
-    check_certificates(folder, found)
+    uas = json.load(open(os.path.join(folder, "operation.json"), encoding="utf-8"))["uas"]
+    same = [method["risk"]["dimension"], method.get("endurance")] == [uas["dimension_m"], uas.get("endurance_s")]
+    require(same, "submission.json", "its dimension and endurance are not those of the operation")
+    certificates = check_certificates(folder, found)
     check_pairs(folder, found, submission, len(records))
     check_tubes(folder, method, records, claims)
     cells = population(folder, origin)
@@ -438,14 +457,17 @@ def check(folder):
         nominal = intent_volumes(folder, one["volumes"], origin, "volumes")
         off_nominal = intent_volumes(folder, one["volumes"], origin, "off_nominal_volumes")
         if one["kind"] == "trajectory":
-            check_claims(records[one["id"]], one, method)
+            check_claims(records[one["id"]], one, method, certificates[one["id"]])
             check_held(records[one["id"]], nominal, method, one, enu)
         buffers = check_risk(risk_volumes(folder, one["risk"], origin), nominal, off_nominal, method, one)
+        check_sizes(one, method, nominal, buffers)
+        require(("people" in one) == (cells is not None), "claims.jsonl", "people without a raster of them, or a raster without people")
         if cells is not None:
             below, unknown = people_below(cells, buffers, "population.csv")
             require(one["people"] >= below - 1e-6 * max(1, below), "claims.jsonl", f"{below} people are below {one['id']}")
             require(one["people_unknown"] >= unknown, "claims.jsonl", f"{unknown} cells below {one['id']} have no number")
-    return claims, sorted(path for path in found if path.endswith(".html"))
+    unread = [key for key in ("clearance", "returns") if any(key in one and one["kind"] == "trajectory" for one in claims)]
+    return claims, unread + sorted(path for path in found if path.endswith(".html"))
 
 
 def verdict(claims, pages):

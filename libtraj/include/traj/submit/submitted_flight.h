@@ -39,7 +39,8 @@ class SubmittedFlight {
   const ReportRecord& report() const { return report_; }
 
   // Why the flight cannot be in a folder: the check refuses it, it has no time, no limit on its
-  // speed, or a battery that does not last. Empty: it can.
+  // speed, a battery that does not last, or it comes down below what is said to be the lowest
+  // ground. Empty: it can.
   std::string refusal() const;
 
   // Only of a flight without a refusal:
@@ -64,6 +65,8 @@ class SubmittedFlight {
 
  protected:
   virtual std::optional<std::string> why_no_times() const = 0;
+  // The z of its lowest place, m, of a flight whose times are known.
+  virtual double lowest() const = 0;
 
   const geom::CollisionScene& scene_;
   const SubmissionMethod& method_;
@@ -106,6 +109,7 @@ class SubmittedTrajectory : public SubmittedFlight {
 
  private:
   std::optional<std::string> why_no_times() const override;
+  double lowest() const override;
   FlightOnEarth on_earth() const;
 
   TrajectoryRecord record_;
@@ -133,6 +137,7 @@ class SubmittedMission : public SubmittedFlight {
   };
 
   std::optional<std::string> why_no_times() const override;
+  double lowest() const override;
   std::vector<Region> regions() const;
 
   FlownMission mission_;
