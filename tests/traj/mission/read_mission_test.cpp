@@ -28,8 +28,7 @@ constexpr const char* kFormats[] = {"kml",       "geojson", "gltf",     "paths-c
 
 // A tower, and room around it.
 geom::CollisionScene tower() {
-  return testing::scene_of({{{-5, -5, 0}, {5, 5, 60}}},
-                           {Vec3(-500, -500, 0), Vec3(500, 500, 200)});
+  return testing::scene_of({{{-5, -5, 0}, {5, 5, 60}}}, {Vec3(-500, -500, 0), Vec3(500, 500, 200)});
 }
 
 MissionReading reading() {
@@ -58,6 +57,15 @@ bool accepted(const geom::CollisionScene& scene, const std::string& format,
 }
 
 // A map's origin of height 0 does not say how high its z = 0 is; --origin does, whatever it says.
+TEST(ReadMission, ATelloLandsBelowItsScriptWithoutLandToo) {
+  for (const char* end : {"", "land\n"}) {
+    const std::string text = std::string("command\ntakeoff\ngo 0 0 100 50\n") + end;
+    const auto flights = read_mission(text, "t.txt", kTello, reading(), {});
+    EXPECT_TRUE(legs_of(flights.at(0).flown)->lands_below) << end;
+    EXPECT_EQ(flights.at(0).notes.size(), *end ? 0u : 1u);
+  }
+}
+
 TEST(DroneFiles, LinesAboveTheSeaNeedAMapWhoseHeightIsKnown) {
   const std::string kml =
       "<kml><LineString><altitudeMode>absolute</altitudeMode><coordinates>8,47,12 8.001,47,12"

@@ -238,6 +238,7 @@ ReadFlights read(std::istream& in, const ReadTask& task) {
   FlownLegs flown;
   flown.path = tello_path(flight, start);
   flown.ends.takeoff_from = start.ground.z();
+  flown.lands_below = true;  // without `land` too: by itself, 15 s after the last command
   flown.envelope = kTelloEnvelope;
   flown.airborne = tello_times(flight, start).back();
   for (const TelloLeg& leg : flight.legs) {
@@ -246,7 +247,8 @@ ReadFlights read(std::istream& in, const ReadTask& task) {
   ReadFlights out{{{std::move(flown)}}};
   if (!flight.lands) {
     out.notes.emplace_back(
-        "the flight ends without landing: the drone hovers, or the file was cut");
+        "the flight ends without landing, or the file was cut: the drone hovers until other "
+        "commands come, and lands below after 15 s without one");
   }
   return out;
 }

@@ -208,7 +208,7 @@ class LegsCheck {
     const LandingGround ground = landing_ground(scene_, above, beside(), kLevel);
     const double said = legs_.ends.landing_on.value_or(ground.height);
     if (ground.whole && std::abs(ground.height - said) <= kLevel) return;
-    if (result.reason == Reason::none) {
+    if (result.reason == Reason::none && mission_) {
       result.part = FlightPart{parts() == 0 ? 0 : mission_->legs.back().item, Manoeuvre::landing};
     }
     refuse(result, Reason::landing, static_cast<double>(way.size()) - 1,

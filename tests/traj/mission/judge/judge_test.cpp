@@ -166,6 +166,16 @@ TEST(Judge, LandsOnWhatIsBelow) {
   EXPECT_FALSE(judge(yard(), {flown}, {}).ok) << "where it may be off";
 }
 
+TEST(Judge, LandsOnLevelGroundOnlyWithoutAMissionToo) {
+  FlownLegs flown = path({{40, 5, 35}, {5, 5, 35}});
+  flown.lands_below = true;
+  EXPECT_TRUE(judge(yard(), {flown}, {}).ok);
+  flown.path_stray.x() = 6;
+  const CheckResult edge = judge(yard(), {flown}, {});
+  EXPECT_EQ(edge.reason, Reason::landing);
+  EXPECT_FALSE(edge.part) << "it has no items";
+}
+
 TEST(Judge, LandsAtRallyPointsOnTheGroundOfHome) {
   FlownMission flown = path({{40, 5, 35}, {45, 5, 35}});
   const double ground = yard().map().spec().bounds.min.z();
