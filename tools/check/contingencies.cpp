@@ -47,6 +47,11 @@ void Contingencies::refuse_idle(const CLI::App& app) const {
                 {"--profile", "--override", "--no-clearance", "--spare", "--junit",
                  "--drop-refused", "--together", "--moving", "--return"},
                 "the flights themselves: leave --contingencies out");
+  for (const geom::LimitKind& kind : geom::kLimitKinds) {
+    if (kind.limit != geom::Limit::speed) {
+      cli::only_for(app, false, {kind.option}, "the flights themselves: leave --contingencies out");
+    }
+  }
 }
 
 void Contingencies::settle(cli::DroneFileOptions& drone_file, cli::VehicleOptions& vehicle) const {
