@@ -297,6 +297,18 @@ def raise_ground(folder, where):
     expect_refused(mutant, "a floor above the flights", "lower than all ground")
 
 
+def shrink_vehicle(folder, where):
+    """In certificates and claims, but not in the flights: their volumes would be held for a smaller one."""
+    half = json.loads((folder / "certificates.jsonl").read_text(encoding="utf-8").splitlines()[0])["vehicle"]["half"]
+    said = json.dumps(half, separators=(",", ":"))
+    for old, new in ((f'"half":{said}', '"half":[0.1,0.1,0.1]'), ('"margin":1,', '"margin":0,')):
+        mutant = copy(folder, where)
+        for name in ("certificates.jsonl", "claims.jsonl"):
+            set_text(mutant / name, (old, new))
+        sign(mutant)
+        expect_refused(mutant, f"{new} in certificates and claims")
+
+
 def lose_vehicle(folder, where):
     """Then nobody knows what flies its missions."""
     mutant = copy(folder, where)
@@ -498,6 +510,7 @@ def main():
                 rows_of.clear()
                 shrink(folder, where, kind, key)
         raise_ground(folders[0], where)
+        shrink_vehicle(folders[0], where)
         lose_vehicle(folders[0], where)
         change_values(folders[0], where, "operation.json")
         change_values(folders[0], where, "flights.jsonl", step=29, keep=("solver", "yaw"))
