@@ -60,7 +60,7 @@ SampledReport FlightLogCheck::judge(const FlightLog& log, const geom::CollisionS
   SampledReport report{.id = log.id,
                        .result = check_sampled(scene, points, times),
                        .samples = points.size(),
-                       .cut = log.cut,
+                       .cut = log.cut || points.size() < 2,  // one place is no flight
                        .provenance = geom::provenance_of(scene),
                        .rule = rule_};
   const Plan* const plan = plan_of(log.id);

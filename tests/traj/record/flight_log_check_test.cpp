@@ -52,6 +52,16 @@ TEST(FlightLogCheck, HoldsALogAgainstThePlanOfItsId) {
   EXPECT_NEAR(report.plan->furthest.value, 3, 1e-9);
 }
 
+TEST(FlightLogCheck, AcceptsNoLogOfOnePlace) {
+  FlightLog one = log("a");
+  one.samples.pop_back();
+  for (const SampledRule& rule : {SampledRule{.sampled = true}, SampledRule{.clearance = 1.0}}) {
+    const FlightLogCheck check(rule);
+    EXPECT_EQ(reason_of(check.judge(log("a"), scene()), scene().map()), "");
+    EXPECT_EQ(reason_of(check.judge(one, scene()), scene().map()), "cut");
+  }
+}
+
 TEST(FlightLogCheck, AcceptsNoLogThatIsShorterThanItsPlan) {
   FlightLogCheck check({.sampled = true});
   check.add_plan(plan("a", 1));
