@@ -118,11 +118,14 @@ CoordinateReference reference_of_geo_keys(std::span<const std::uint16_t> directo
     out.plane = 1;
   }
   const auto vertical = keys.code(kVerticalCrs);
+  const auto of_system = vertical ? metres_of_vertical(*vertical) : std::nullopt;
   if (const auto unit = keys.code(kVerticalUnit)) {
     out.up = metres_of_unit(*unit);
+    // Of a system with a name, PROJ tells whether the two differ.
+    if (!named && of_system && out.up != of_system) out.up.reset();
     out.up_unclear = !out.up;
   } else if (vertical) {
-    out.up = metres_of_vertical(*vertical);
+    out.up = of_system;
     out.up_unclear = !out.up;
   }
   if (vertical && *vertical != kUserDefined && named) out.crs += fmt::format("+{}", *vertical);

@@ -85,6 +85,13 @@ TEST(GeoKeys, UnitsByCodeAndByUtm) {
   EXPECT_FALSE(of({{1024, 1}, {3072, 2992}}).plane);
   EXPECT_EQ(of({{1024, 1}, {3072, 32610}, {4099, 9003}}).up, 1200.0 / 3937);
   EXPECT_EQ(of({{1024, 1}, {3072, 32610}, {4096, 5703}}).up, 1.0);
+  // The unit's key and the system's own unit, where the plane has no name that PROJ could look up.
+  const auto both = [&](std::uint16_t unit) {
+    return of({{1024, 1}, {3072, 32767}, {3076, 9002}, {4096, 5703}, {4099, unit}});
+  };
+  EXPECT_EQ(both(9001).up, 1.0);
+  EXPECT_FALSE(both(9002).up);
+  EXPECT_TRUE(both(9002).up_unclear);
   EXPECT_TRUE(of({{1024, 1}, {3072, 32610}, {4096, 5200}}).up_unclear);
   EXPECT_EQ(of({{1024, 1}, {3072, 32610}}).epsg, 32610);
   EXPECT_FALSE(of({{1024, 1}, {3072, 32767}, {3076, 9002}}).epsg);  // user-defined
