@@ -286,6 +286,10 @@ std::optional<std::string> wrong_file(const CLI::App& app, std::string_view sour
   const Format* const format =
       standard ? known::recognise(input->head) : recognise_file(input->path);
   if (!format) return std::nullopt;
+  // An autopilot's parameters may be those of its log.
+  const CLI::Option* const params = app.get_option_no_throw("--params");
+  const bool of_params = params && params->count() > 0 && params->as<std::string>() == input->path;
+  if (of_params && head_of(input->path).starts_with("ULog")) return std::nullopt;
   const Found found{input->path, *format,
                     known::described(*format, standard ? input->head : head_of(input->path))};
   if (const Place* const place = place_of(app, *input, *format)) {

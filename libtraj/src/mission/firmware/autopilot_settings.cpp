@@ -135,6 +135,11 @@ AutopilotSettings read_log(std::istream& in, std::string_view source) {
   const UlogSummary summary = read_ulog(in, source, {}, [](const UlogMessage&) {});
   if (summary.parameters.empty())
     refuse(source, {.expected = "parameters in the log", .found = "none"});
+  if (!summary.has_data) {
+    refuse(source, {.expected = "a log that goes on after its parameters",
+                    .found = "one that ends among them",
+                    .advice = "those that are missing would count as the firmware's"});
+  }
   return {summary.parameters, {}, {}};
 }
 

@@ -235,6 +235,7 @@ class Reader {
   }
 
   void take_subscription(std::string_view body, std::uint64_t begin) {
+    out_.has_data = true;  // its section begins with these
     if (body.size() < 4) return cut(begin, "a subscription without a name");
     const std::string_view name = body.substr(3);
     if (!formats_.has(name)) {

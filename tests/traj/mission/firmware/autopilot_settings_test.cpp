@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/reading.h"
+#include "traj/mission/ulog/ulog_bytes.h"
 
 namespace traj {
 namespace {
@@ -155,6 +156,23 @@ TEST(AutopilotSettings, RefuseOtherVehiclesAndVersions) {
   EXPECT_EQ(refusal("NAV_ACC_RAD,2\nWPNAV_RADIUS,200\n"),
             "p: expected parameters of PX4 or of ArduPilot Copter, found both");
   EXPECT_EQ(refusal("MC_ROLL_P,6.5\n").substr(0, 32), "p: expected parameters of PX4 (N");
+}
+
+std::string in_log(const std::string& name, float value) {
+  const std::string key = "float " + name;
+  return ulog_message('P', static_cast<char>(key.size()) + key + bytes_of(value));
+}
+
+TEST(AutopilotSettings, AreReadFromALogThatHasThemAll) {
+  const std::string begin = ulog_head() + in_log("NAV_ACC_RAD", 2);
+  const std::string rest = in_log("RTL_RETURN_ALT", 60);
+  const std::string data = ulog_message('F', "p:uint64_t timestamp;float x;") + ulog_topic("p", 7);
+  EXPECT_EQ(set(begin + rest + data).autopilot.return_height, 60);
+  const std::string why =
+      "p: expected a log that goes on after its parameters, found one that ends among them: those "
+      "that are missing would count as the firmware's";
+  EXPECT_EQ(refusal(begin), why);
+  EXPECT_EQ(refusal(begin + rest.substr(0, 9)), why);
 }
 
 TEST(AutopilotSettings, RefuseWhatIsNoParameter) {

@@ -60,6 +60,7 @@ struct UlogSummary {
   std::optional<std::uint64_t> cut_at;
   std::string cut_why;
   std::map<std::string, double> parameters;  // the last value of each
+  bool has_data = false;  // it goes on after its definitions, so that all parameters are there
 };
 
 // Gives `take` each message of the `topics`, in the order of the file, of the first instance of
