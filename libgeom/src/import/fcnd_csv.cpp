@@ -27,8 +27,10 @@ constexpr std::array<const char*, 6> kColumns = {"posX",      "posY",      "posZ
                                                  "halfSizeX", "halfSizeY", "halfSizeZ"};
 constexpr std::array<const char*, 6> kNames = {"position x",  "position y",  "position z",
                                                "half size x", "half size y", "half size z"};
-constexpr std::array<const char*, 8> kTurns = {"rot",  "yaw",  "pitch", "roll",
-                                               "quat", "head", "angle", "orient"};
+// Columns that say nothing about where a box is. Any other may turn, move or measure it.
+constexpr std::array<std::string_view, 16> kNoPlace = {
+    "",     "class", "color", "colour", "comment", "description", "id",   "index",
+    "kind", "label", "name",  "note",   "notes",   "remark",      "tags", "type"};
 using Columns = std::array<std::size_t, 6>;  // which field holds what
 
 bool starts_with_number(std::string_view line) {
@@ -87,17 +89,18 @@ std::optional<GeodeticOrigin> parse_origin(const TextLines& lines) {
   return GeodeticOrigin{*latitude, *longitude, 0};
 }
 
-// Whether a column's name speaks of a turned box, which this table cannot hold.
-bool turns(std::string name) {
+bool may_place(std::string name) {
   for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return std::any_of(kTurns.begin(), kTurns.end(),
-                     [&](const char* word) { return name.find(word) != std::string::npos; });
+  return std::find(kNoPlace.begin(), kNoPlace.end(), name) == kNoPlace.end();
 }
 
 Columns parse_header(const TextLines& lines, FcndTable& out) {
   const auto fields = split_fields(lines.line());
   for (const std::string& field : fields) {
-    if (turns(field)) out.skipped.add("column of turned boxes", field.substr(0, 40));
+    const bool known = std::find(kColumns.begin(), kColumns.end(), field) != kColumns.end();
+    if (!known && may_place(field)) {
+      out.skipped.add("column that may turn or move boxes", field.substr(0, 40));
+    }
   }
   Columns columns{};
   for (std::size_t i = 0; i < columns.size(); ++i) {

@@ -127,13 +127,17 @@ TEST(FcndCsv, KeepsFlatBoxesAndCountsThem) {
   EXPECT_EQ(t.flat, 2u);
 }
 
-TEST(FcndCsv, ColumnsThatTurnBoxesAndFieldsWithoutOneAreSkipped) {
+TEST(FcndCsv, ColumnsThatMayPlaceBoxesAndFieldsWithoutOneAreSkipped) {
   const std::string header = "posX,posY,posZ,halfSizeX,halfSizeY,halfSizeZ";
   const auto read = [](std::istream& in, std::string_view source) {
     return read_fcnd_csv(in, source);
   };
   EXPECT_EQ(support::built_and_skipped(read, header + ",label\n1,1,1,1,1,1,hut\n").second, 0u);
-  EXPECT_EQ(support::built_and_skipped(read, header + ",Yaw\n1,1,1,1,1,1,0.5\n").second, 1u);
+  for (const char* column : {"Yaw", "theta", "azimuth", "halfSizeW", "baseZ", "unit"}) {
+    EXPECT_EQ(
+        support::built_and_skipped(read, header + "," + column + "\n1,1,1,1,1,1,0.5\n").second, 1u)
+        << column;
+  }
   EXPECT_EQ(support::built_and_skipped(read, "1,5,1,5,1,5,2,5\n").second, 2u);
   EXPECT_EQ(support::built_and_skipped(read, "1,5,1,5,1,5,,\n").second, 0u);
 }
