@@ -91,45 +91,52 @@ class Reader {
       refuse(source_,
              {.expected = "LAZ of point format 6 to 8 in chunks that vary, as COPC has it"});
     }
-    reference_ = std::move(records.reference);
-    if (reference_.kind == CoordinateReference::Kind::none && described_later()) {
-      refuse(
-          source_,
-          {.says = "its reference system stands after its points, where it is not read",
-           .advice =
-               "write the file anew, for example with `pdal translate in.copc.laz out.copc.laz`"});
-    }
+    reference_ = records.reference;
     setup_ = std::move(*records.laz);
     info_ = parse_copc_info(records.copc, source_);
     tolerance_ = 2 * header_.scale.cwiseAbs();
     counts_.all = header_.points;
+    require_whole_later_records();
+    require_told_before(records.references);
   }
 
-  // Whether one of the records after the points describes the coordinates.
-  bool described_later() {
+  void require_whole_later_records() {
     std::uint64_t at = header_.later_records;
     for (std::uint32_t i = 0; i < header_.later_count; ++i) {
       const std::string head = read_whole(read_, at, kLaterHead, source_);
-      const auto* bytes = reinterpret_cast<const unsigned char*>(head.data());
-      const auto id = number_at<std::uint16_t>(bytes + 18);
-      if (std::memcmp(bytes + 2, "LASF_Projection", 16) == 0 && (id == 2112 || id == 34735)) {
-        return true;
-      }
-      const auto length = number_at<std::uint64_t>(bytes + 20);
+      const auto length =
+          number_at<std::uint64_t>(reinterpret_cast<const unsigned char*>(head.data()) + 20);
       if (length >= UINT64_MAX - kLaterHead - at) {  // it would lead back, and never end
         refuse(source_, {.says = fmt::format("a record after its points claims {} bytes", length)});
       }
       at += kLaterHead + length;
     }
-    return false;
+  }
+
+  // What follows the compressed points must say nothing of the coordinates that the records before
+  // do not.
+  void require_told_before(const LasReferences& told) {
+    LaterReferences later(told, header_.well_known_text);
+    std::vector<unsigned char> piece(1 << 16);
+    std::uint64_t at = chunk_table();
+    while (const std::size_t got = read_(at, piece)) {
+      later.take({piece.data(), got});
+      at += got;
+    }
+    later.finish();
+  }
+
+  // The place of the table of chunks, behind the last of them.
+  std::uint64_t chunk_table() const {
+    const std::string place = read_whole(read_, header_.data, 8, source_);
+    return number_at<std::uint64_t>(reinterpret_cast<const unsigned char*>(&place[0]));
   }
 
   // Each point of the header and each byte between the first chunk and the table of chunks is of
   // one cube: none is forgotten.
   void require_all_accounted_for() {
     const std::uint64_t start = header_.data;
-    const std::string place = read_whole(read_, start, 8, source_);
-    const auto table = number_at<std::uint64_t>(reinterpret_cast<const unsigned char*>(&place[0]));
+    const std::uint64_t table = chunk_table();
     std::uint64_t at = start + 8;
     std::uint64_t points = 0;
     for (const CopcNode& node : nodes_) {

@@ -35,30 +35,32 @@ void require_no_more(ByteSource& rest, const LasHeader& h, std::uint64_t room) {
   }
 }
 
-// Whether one of the records after the points describes the coordinates.
-bool described_later(ByteSource& rest, const LasHeader& h) {
-  if (h.later_count == 0) return false;
+// What follows the points must say nothing of the coordinates that the records before do not.
+void require_told_before(ByteSource& rest, const LasHeader& h, const LasRecords& told) {
+  LaterReferences later(told.references, h.well_known_text);
+  std::vector<unsigned char> piece(1 << 16);
+  const auto pass = [&](std::uint64_t bytes) {  // false where there were less
+    while (bytes > 0) {
+      const std::size_t some = std::min<std::uint64_t>(bytes, piece.size());
+      const std::size_t got = rest.copy({piece.data(), some});
+      later.take({piece.data(), got});
+      if (got < some) return false;
+      bytes -= got;
+    }
+    return true;
+  };
   const std::uint64_t end = rest.position();
-  const auto cut_short = [&] {
-    rest.refuse({.says = "its records after the points are cut short"});
-  };
-  const auto skip = [&](std::uint64_t bytes) {
-    if (rest.skip(bytes) < bytes) cut_short();
-  };
-  if (h.later_records < end) {
+  if (h.later_count > 0 && h.later_records < end) {
     rest.refuse({.expected = fmt::format("its later records after byte {}", end),
                  .found = fmt::format("them at {}", h.later_records)});
   }
-  skip(h.later_records - end);
-  for (std::uint32_t i = 0; i < h.later_count; ++i) {
-    unsigned char head[kLaterHead];
-    if (rest.copy(head) < kLaterHead) cut_short();
-    const bool projection = std::memcmp(head + 2, "LASF_Projection", 16) == 0;
-    const std::uint16_t id = number_at<std::uint16_t>(head + 18);
-    if (projection && (id == 2112 || id == 34735)) return true;
-    skip(number_at<std::uint64_t>(head + 20));
+  bool whole = h.later_count == 0 || pass(h.later_records - end);
+  for (std::uint32_t i = 0; whole && i < h.later_count; ++i) {
+    whole = pass(kLaterHead) && pass(number_at<std::uint64_t>(&piece[20]));
   }
-  return false;
+  if (!whole) rest.refuse({.says = "its records after the points are cut short"});
+  pass(std::numeric_limits<std::uint64_t>::max());
+  later.finish();
 }
 
 void read_points(ByteSource& bytes, const LasHeader& h, PointChunks& chunks) {
@@ -100,11 +102,7 @@ CloudCounts read_las(std::istream& in, std::string_view source, const PointSink&
   } else {
     read_points(bytes, h, chunks);
   }
-  if (described_later(bytes, h) && told.reference.kind == CoordinateReference::Kind::none) {
-    refuse(source,
-           {.says = "its reference system stands after its points, where it is not read",
-            .advice = "write the file anew, for example with `pdal translate in.las out.las`"});
-  }
+  require_told_before(bytes, h, told);
   return chunks.finish();
 }
 
