@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -21,6 +22,10 @@ constexpr std::size_t kMostPlaced = 100000000;     // vertices, wherever nodes p
 constexpr std::size_t kMostTriangles = 300000000;  // no cover takes more
 
 constexpr const char* kDraco = "KHR_draco_mesh_compression";
+
+// Extensions that draw boxes, spheres and the like without a mesh, for physics and for tools.
+constexpr const char* kShapes[] = {"KHR_implicit_shapes", "KHR_collision_shapes",
+                                   "OMI_physics_shape", "OMI_collider"};
 
 // Extensions that a file may require and that change no place of anything.
 bool is_harmless(const std::string& extension) {
@@ -75,6 +80,7 @@ class GltfReader {
     check_animations();
     visit_scene();
     count_unseen();
+    count_shapes_without_mesh();
     return std::move(model_);
   }
 
@@ -294,6 +300,16 @@ class GltfReader {
     if (n < 3) return;
     for (std::size_t k = 0; mode == 5 && k + 2 < n; ++k) add(k, k + 1 + k % 2, k + 2 - k % 2);
     for (std::size_t k = 1; mode == 6 && k + 1 < n; ++k) add(0, k, k + 1);
+  }
+
+  // A body of physics may have no mesh.
+  void count_shapes_without_mesh() {
+    const auto found = data_.root().members("extensions");
+    const auto& used = data_.root().list("extensionsUsed");
+    for (const char* name : kShapes) {
+      const bool listed = std::find(used.begin(), used.end(), name) != used.end();
+      if (listed || found.contains(name)) model_.skipped.add("shapes without a mesh", name);
+    }
   }
 
   // What is in the file, and in no node of the scene: a mesh may be shown, and stand elsewhere too.

@@ -130,6 +130,18 @@ TEST(ReadGltf, CountsPointsLinesAndMeshesThatAreNotShown) {
   EXPECT_TRUE(support::says(model.skipped.text(), "hidden"));
 }
 
+TEST(ReadGltf, CountsShapesOfPhysicsThatHaveNoMesh) {
+  for (const char* name : {"KHR_implicit_shapes", "OMI_physics_shape", "OMI_collider"}) {
+    GltfFile told(support::cuboid(kBox));
+    told.text["extensionsUsed"] = {name};
+    GltfFile drawn(support::cuboid(kBox));
+    drawn.text["extensions"][name] = {{"shapes", json::array({{{"type", "box"}}})}};
+    for (const GltfFile& file : {told, drawn}) {
+      EXPECT_TRUE(support::says(read(file).skipped.text(), name));
+    }
+  }
+}
+
 TEST(ReadGltf, CountsNodesThatAnotherSceneShows) {
   GltfFile file(support::cuboid(kBox));
   file.text["nodes"].push_back({{"name", "far"}, {"mesh", 0}, {"translation", {100, 0, 0}}});
