@@ -40,10 +40,18 @@ constexpr std::array kFlat{Words{"man_made",
 
 // Obstacles by keys of which most values are none.
 constexpr std::array kOthers{
-    Words{"natural", {"tree", "tree_row", "tree_group", "wood"}},
+    Words{"natural", {"tree", "tree_row", "tree_group", "wood", "arch", "rock", "stone"}},
     Words{"landuse", {"forest", "orchard"}},
     Words{"landcover", {"trees"}},
-    Words{"highway", {"street_lamp"}},
+    Words{"highway", {"street_lamp", "gantry"}},
+    Words{"railway", {"monorail", "signal", "signal_box", "gantry", "catenary_mast"}},
+    Words{"aeroway", {"hangar", "terminal", "control_tower", "tower", "navigationaid", "windsock"}},
+    Words{"parking", {"multi-storey"}},
+    Words{"roller_coaster", {"track", "support", "station"}},
+    Words{"waterway", {"dam"}},
+    Words{"military", {"bunker"}},
+    Words{"leisure", {"bandstand", "bleachers"}},
+    Words{"amenity", {"shelter"}},
     Words{"barrier",
           {"wall", "city_wall", "fence", "hedge", "retaining_wall", "height_restrictor",
            "toll_booth", "lift_gate"}},
@@ -61,9 +69,15 @@ constexpr std::array kHighLines{
     Words{"power", {"tower", "pole", "line", "minor_line", "portal", "catenary_mast"}},
     Words{"generator:source", {"wind"}}};
 
-constexpr std::array kHeights{"height",          "est_height",      "min_height",
-                              "building:height", "building:levels", "building:min_level",
-                              "roof:height",     "roof:levels"};
+constexpr std::array kHeights{"building:levels:aboveground",
+                              "height",
+                              "est_height",
+                              "min_height",
+                              "building:height",
+                              "building:levels",
+                              "building:min_level",
+                              "roof:height",
+                              "roof:levels"};
 
 std::string lower(std::string_view text) {
   std::string out(text);

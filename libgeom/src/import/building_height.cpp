@@ -81,7 +81,9 @@ class Attributes {
   std::optional<double> estimated() {
     auto top = known(length("est_height", parse_highest));
     if (top) out_.from = HeightFrom::height;
-    const auto storeys = read("building:levels", parse_levels);
+    auto storeys = read("building:levels", parse_levels);
+    const auto others = read("building:levels:aboveground", parse_levels);
+    if (others && !(storeys && *storeys >= *others)) storeys = others;
     if (!storeys) return top;
     const auto roof = length("roof:height", parse_highest);
     const double above =

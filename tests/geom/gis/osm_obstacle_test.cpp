@@ -34,8 +34,24 @@ TEST(OsmObstacle, IsEveryValueThatIsNotKnownToBeFlat) {
   EXPECT_EQ(kind({{"highway", "footway"}}), "nothing");
 }
 
+TEST(OsmObstacle, IsWhatIsNoBuildingByItsTags) {
+  for (const auto& [key, value] : Pairs{{"aeroway", "hangar"},
+                                        {"aeroway", "terminal"},
+                                        {"parking", "multi-storey"},
+                                        {"railway", "monorail"},
+                                        {"railway", "signal"},
+                                        {"roller_coaster", "track"},
+                                        {"waterway", "dam"},
+                                        {"amenity", "shelter"}}) {
+    EXPECT_EQ(kind({{key, value}}), key + "=" + value);
+  }
+  EXPECT_EQ(kind({{"aeroway", "runway"}}), "nothing");
+  EXPECT_EQ(kind({{"railway", "rail"}}), "nothing");
+}
+
 TEST(OsmObstacle, IsWhatHasAHeight) {
-  for (const char* key : {"height", "est_height", "min_height", "building:levels"}) {
+  for (const char* key :
+       {"height", "est_height", "min_height", "building:levels", "building:levels:aboveground"}) {
     EXPECT_EQ(kind({{"artwork_type", "statue"}, {key, "11.7"}}), "thing with a height") << key;
     EXPECT_EQ(kind({{key, "very"}}), "thing with a height") << key;
   }

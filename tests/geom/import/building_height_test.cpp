@@ -45,6 +45,9 @@ TEST(AddValue, MakesAListWithoutBlanks) {
 TEST(BuildingHeight, CountsStoreysAndTheRoof) {
   EXPECT_EQ(from({{"building:levels", "3"}}).top, 9);
   EXPECT_EQ(from({{"building:levels", "3"}, {"roof:levels", "1"}}).top, 12);
+  EXPECT_EQ(from({{"building:levels:aboveground", "30"}}).top, 90);
+  EXPECT_EQ(from({{"building:levels", "3"}, {"building:levels:aboveground", "30"}}).top, 90);
+  EXPECT_EQ(from({{"building:levels", "3"}, {"building:levels:aboveground", "2"}}).top, 9);
   EXPECT_EQ(from({{"building:levels", "3"}, {"roof:height", "2.5"}}).top, 11.5);
 }
 
