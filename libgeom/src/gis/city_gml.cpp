@@ -106,7 +106,8 @@ class Reader : public XmlHandler {
 
   void note_srs(const XmlTag& tag) {
     const std::string_view srs = trimmed(tag.attribute("srsName"));
-    if (srs.empty() || implicit_) return;
+    const bool of_template = implicit_ && !within("referencePoint");  // it has axes of its own
+    if (srs.empty() || of_template) return;
     if (out_.model.crs.empty()) out_.model.crs = srs;
     if (out_.model.crs != srs) {
       refuse({.expected = "one coordinate reference system",

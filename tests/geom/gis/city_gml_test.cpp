@@ -139,6 +139,22 @@ TEST(CityGml, PlacesImplicitGeometries) {
   EXPECT_TRUE(says(elsewhere.model.skipped.text(), "another file"));
 }
 
+TEST(CityGml, RefusesAReferencePointInAnotherSystem) {
+  const auto placed = [](const std::string& srs) {
+    return document(
+        "<gml:boundedBy><gml:Envelope srsName='EPSG:25832'/></gml:boundedBy>" +
+        member("<gen:GenericCityObject><gen:lod1ImplicitRepresentation><ImplicitGeometry>"
+               "<transformationMatrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</transformationMatrix>"
+               "<relativeGMLGeometry>" +
+               surfaces(polygon(kRoof)) +
+               "</relativeGMLGeometry><referencePoint><gml:Point srsName='" + srs +
+               "'><gml:pos>1 2 5</gml:pos></gml:Point></referencePoint></ImplicitGeometry>"
+               "</gen:lod1ImplicitRepresentation></gen:GenericCityObject>"));
+  };
+  EXPECT_EQ(refusal_of(placed("EPSG:25832")), "");
+  EXPECT_TRUE(says(refusal_of(placed("EPSG:2056")), "one coordinate reference system"));
+}
+
 TEST(CityGml, KeepsHeightsWithTheirUnit) {
   const std::string text = document(member(building(
       "<gen:measureAttribute name='ridge'><gen:value uom='m'>7</gen:value></gen:measureAttribute>"
