@@ -71,6 +71,7 @@ BoxMap derived(BoxMapSpec spec, const BoxTable& table, const Json& step) {
   Json history = steps_of(spec, "the map's history");
   history.push_back(step);
   spec.history = history.dump();
+  require_within_reach(table, "the map");
   return {std::move(spec), table};
 }
 

@@ -51,6 +51,7 @@ void require_sensible(const GeoidGrid& grid, std::string_view source) {
   if (!steps || !place || grid.columns < 2 || grid.rows < 2) {
     refuse(source, "a grid without place or steps");
   }
+  if (!(grid.error >= 0)) refuse(source, fmt::format("an error of {} m", grid.error));
 }
 
 GeoidGrid read_gtx(const std::string& bytes, std::string_view source) {
@@ -102,8 +103,9 @@ GeoidGrid read_pgm(const std::string& bytes, std::string_view source) {
   const auto error = said(head, "MaxBilinearError");
   const double nodes = static_cast<double>(rows) * static_cast<double>(columns);
   const std::size_t begin = at + static_cast<std::size_t>(sizes.tellg()) + 1;
-  if (!sizes || largest != 65535 || !offset || !scale || !error || rows < 2 || columns < 2 ||
-      nodes > kMostNodes ||
+  const bool flat = scale && *scale == 0;  // all heights would be the same
+  if (!sizes || largest != 65535 || !offset || !scale || flat || !error || rows < 2 ||
+      columns < 2 || nodes > kMostNodes ||
       static_cast<double>(bytes.size()) != nodes * 2 + static_cast<double>(begin)) {
     refuse(source, in_quotes(head.substr(0, 30)));
   }

@@ -38,23 +38,6 @@ void for_parts(BoxTable& table, const Execution& run, const F& f) {
   });
 }
 
-bool within_reach(const Aabb& box) {
-  return box.min.cwiseAbs().maxCoeff() <= kLargestCoordinate &&
-         box.max.cwiseAbs().maxCoeff() <= kLargestCoordinate;
-}
-
-void require_within_reach(const BoxTable& table, std::string_view source) {
-  const auto box = std::find_if_not(table.boxes.begin(), table.boxes.end(), within_reach);
-  if (box == table.boxes.end()) return;
-  throw InputError(
-      source, {.says = fmt::format("expected boxes within 1e8 m of the origin, once "
-                                   "scaled and grown; found box {} of the source from "
-                                   "[{}, {}, {}] to [{}, {}, {}]",
-                                   table.ids[static_cast<std::size_t>(box - table.boxes.begin())],
-                                   box->min[0], box->min[1], box->min[2], box->max[0], box->max[1],
-                                   box->max[2])});
-}
-
 Aabb resized(Aabb box, const MakeMapOptions& options) {
   if (options.scale != 1) box = scaled(box, options.scale);
   if (options.bloat_percent > 0) {
@@ -77,7 +60,7 @@ Aabb resize(BoxTable& table, std::string_view source, const MakeMapOptions& opti
   });
   around.resize((table.boxes.size() + kStretch - 1) / kStretch);
   const Aabb all = *bounds(around);
-  if (!within_reach(all)) require_within_reach(table, source);
+  if (!is_within_reach(all)) require_within_reach(table, source);
   return all;
 }
 

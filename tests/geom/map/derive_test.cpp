@@ -71,6 +71,11 @@ TEST(WithBounds, HasNothingToPadInAMapWithoutBoxes) {
   EXPECT_NO_THROW(with_bounds(none, {.ceiling = 60}, "city"));
 }
 
+TEST(Derived, RefusesBoxesThatNoReaderTakes) {
+  EXPECT_NO_THROW(inflate(city(), 9e7));
+  EXPECT_THROW(inflate(city(), 1e8), InputError);
+}
+
 TEST(Inflate, GrowsEachBoxOnEverySide) {
   const BoxMap grown = inflate(city(), 0.5);
   EXPECT_EQ(grown.size(), 2u);

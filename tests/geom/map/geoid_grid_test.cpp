@@ -102,6 +102,20 @@ TEST(GeoidGrid, GoesAroundTheEarth) {
   EXPECT_NEAR(range->most, 17.5, 0.001);
 }
 
+// The whole Earth in steps of ten degrees, all at 30 m where the scale is 0.01 m.
+std::string pgm(const std::string& scale, const std::string& error) {
+  std::string out =
+      "P5\n# Offset 20\n# Scale " + scale + "\n# MaxBilinearError " + error + "\n36 19\n65535\n";
+  for (int i = 0; i < 36 * 19; ++i) out += {1000 / 256, static_cast<char>(1000 % 256)};
+  return out;
+}
+
+TEST(GeoidGrid, RefusesAScaleOfZeroAndAnErrorBelowIt) {
+  EXPECT_NEAR(grid_of(pgm("0.01", "0.5")).over({1, 1, 1, 1})->least, 30 - 0.51, 0.001);
+  EXPECT_THROW(grid_of(pgm("0", "0.5")), InputError);
+  EXPECT_THROW(grid_of(pgm("0.01", "-5")), InputError);
+}
+
 TEST(GeoidGrid, RefusesWhatIsCutOrNone) {
   EXPECT_THROW(grid_of(gtx().substr(0, 80)), InputError);
   EXPECT_THROW(grid_of("P5\nno grid"), InputError);

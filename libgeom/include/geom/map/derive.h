@@ -28,7 +28,8 @@ struct SourceMap {
 // A step of a history: "crop" of this map.
 nlohmann::ordered_json derived_step(const char* verb, const BoxMap& input);
 
-// Of this table; `step` comes after those of the spec's history.
+// Of this table; `step` comes after those of the spec's history. Throws InputError for a box beyond
+// 1e8 m, as all functions below do.
 BoxMap derived(BoxMapSpec spec, const BoxTable& table, const nlohmann::ordered_json& step);
 
 // The boxes that meet the region, and the bounds inside it. Throws InputError(source, …) where the
