@@ -290,10 +290,10 @@ TEST(Px4Flight, HasNoSamplesWithoutPositions) {
 
 TEST(Px4Flight, TakesOffFromTheGroundThatIsGiven) {
   const auto log = [](bool takes_off) {
-    Log log;
-    log.row(kLanded, 0, true).local(1, {0, 0, 0}).local(2, {0, 0, -1});
-    if (takes_off) log.row(kLanded, 2.5, false);
-    return log.local(3, {0, 0, -5}).local(4, {0, 0, -9}).read({MissionFrame{{47, 8, 0}, 0, false}});
+    Log out;
+    out.row(kLanded, 0, true).local(1, {0, 0, 0}).local(2, {0, 0, -1});
+    if (takes_off) out.row(kLanded, 2.5, false);
+    return out.local(3, {0, 0, -5}).local(4, {0, 0, -9}).read({MissionFrame{{47, 8, 0}, 0, false}});
   };
   Px4Flight flight = log(true);
   EXPECT_NEAR(take_off_from(7, flight, "log.ulg"), 400, 1e-6);
