@@ -21,6 +21,8 @@ constexpr double kLeastSlack = 1e-6;  // metres
 
 constexpr double kFew = 32;  // rectangles: all covers are tried
 
+constexpr std::size_t kManyLevels = 4096;
+
 constexpr std::size_t kAny = std::numeric_limits<std::size_t>::max();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -82,16 +84,20 @@ class Slabs {
   }
 
   // About how many rectangles a cover has. Between two levels, its slabs are as high as the edge
-  // there that is most level lets them be.
+  // there that is most level lets them be. Of many levels, some are looked at.
   double expected() {
     double out = 0;
     std::size_t next = 0;
     begun_.clear();
-    for (std::size_t i = 0; i + 1 < levels_.size(); ++i) {
-      const double y0 = levels_[i];
-      const double slacks = (levels_[i + 1] - y0) / slack_;
+    if (levels_.empty()) return 0;
+    const bool many = levels_.size() > kManyLevels;
+    const double step = many ? (levels_.back() - levels_.front()) / kManyLevels : 0;
+    for (std::size_t level = 0; level + 1 < levels_.size();) {
+      const double y0 = levels_[level++];
+      while (level + 1 < levels_.size() && levels_[level] - y0 < step) ++level;
       while (next < edges_.size() && edges_[next].low.y() <= y0) begun_.push_back(&edges_[next++]);
       std::erase_if(begun_, [&](const CoverEdge* edge) { return edge->high.y() <= y0; });
+      const double slacks = (levels_[level] - y0) / slack_;
       double slabs = std::min(slacks, 1.0);
       for (const CoverEdge* edge : begun_) {
         slabs = std::max(slabs, slacks * edge->run_over_length);
