@@ -17,10 +17,6 @@ namespace {
 
 constexpr std::size_t kLaterHead = 60;
 
-[[noreturn]] void refuse(std::string_view source, Fault fault) {
-  throw InputError(source, std::move(fault));
-}
-
 // Whether points that the header does not count follow those it does: `room` bytes or more up to
 // where the next part of the file begins, or its end.
 void require_no_more(ByteSource& rest, const LasHeader& h, std::uint64_t room) {
