@@ -90,6 +90,32 @@ TEST(Cover, KeepsACourtyardOpen) {
   EXPECT_FALSE(oracle::covered(rectangles, {9.4, 9.4}));
 }
 
+// Teeth that stand side by side, the last of which leans: slabs across all of them are many times
+// as many as slabs along them.
+Polygon comb(int teeth, bool level) {
+  Polygon out;
+  out.outer.push_back({0, -3});
+  out.outer.push_back({4.0 * teeth + 30, -3});
+  out.outer.push_back({4.0 * teeth + 30, 60});
+  for (int i = teeth; i-- > 0;) {
+    for (const Vec2& p : {Vec2(3, 0), Vec2(2, 0), Vec2(2, 60), Vec2(0, 60)}) {
+      out.outer.push_back(p + Vec2(4.0 * i, 0));
+    }
+    out.outer.push_back({4.0 * i, 0});
+  }
+  if (!level) return out;
+  for (Vec2& p : out.outer) std::swap(p.x(), p.y());
+  return out;
+}
+
+TEST(Cover, GoesAlongTheAxisThatNeedsFewer) {
+  for (const int teeth : {8, 50, 2000}) {
+    const std::size_t most = static_cast<std::size_t>(2 * teeth) + 150;
+    EXPECT_LT(cover(comb(teeth, false), 0.5).size(), most) << teeth;
+    EXPECT_LT(cover(comb(teeth, true), 0.5).size(), most) << teeth;
+  }
+}
+
 TEST(Cover, OfRotatedRectanglesHoldsAll) {
   support::Random random(1);
   for (int i = 0; i < 60; ++i) {
