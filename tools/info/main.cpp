@@ -17,6 +17,7 @@
 #include "geom/map/description.h"
 #include "geom/text/json_fields.h"
 #include "geom/text/parse_json.h"
+#include "geom/text/text_table.h"
 #include "plan/lattice/lattice_file.h"
 #include "plan/roadmap/roadmap_file.h"
 
@@ -89,7 +90,16 @@ Json describe_records(const std::string& text, const std::string& name) {
   std::size_t number = 0;
   for (std::string line; std::getline(in, line);) {
     ++number;
-    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    const std::string_view record = geom::trimmed(line);
+    if (record.empty()) continue;
+    if (counts.empty() && record.starts_with('{') && !record.ends_with('}')) {
+      throw geom::InputError(
+          name, number,
+          {.expected = "records, each a JSON object in one line",
+           .found = "JSON that goes on in the next line",
+           .advice =
+               "skyway-map patch reads zones of airspace (--zones) and GeoJSON (--keep-out)"});
+    }
     const geom::JsonFields fields(line, name, number);
     std::string kind = fields.text("type", "query");
     if (fields.has("status")) kind += " " + fields.text("status");
