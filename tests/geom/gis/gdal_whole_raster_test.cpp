@@ -109,6 +109,7 @@ TEST(RequireWholeRaster, RefusesAWarpedMosaicWithoutAValueForNone) {
 
 // What an interrupted copy leaves: GDAL gives 0 for the rows that were never written.
 TEST(RequireWholeRaster, RefusesATiffWithoutSomeOfItsRows) {
+  GDALAllRegister();
   const auto sparse = [](double none) {
     const MemoryFile file("sparse.tif", "");
     char option[] = "SPARSE_OK=TRUE";
