@@ -26,8 +26,8 @@ void* allocated(std::size_t bytes) {
 }  // namespace
 }  // namespace geom
 
-// Where something goes wrong, even where memory is short, PCL's headers print a message and go on
-// with fewer points, and FLANN's go on with none. Here they stop.
+// If memory is short, PCL's headers print a message and go on with fewer points, and FLANN's go on
+// without a tree. These macros make both stop.
 #undef PCL_ERROR
 #undef PCL_WARN
 #undef PCL_DEBUG

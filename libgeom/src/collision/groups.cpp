@@ -95,7 +95,7 @@ OwnedGroup CollisionScene::Impl::made_tree(std::size_t g) {
   return tree_of(first, names, groups.size() == 1);
 }
 
-// Of boxes that are each so far from the first.
+// The tree of the boxes whose index in the map is `first` plus one of `names`.
 OwnedGroup CollisionScene::Impl::tree_of(std::size_t first, std::span<const std::uint32_t> names,
                                          bool all) {
   std::vector<Aabb> grown;
@@ -151,7 +151,7 @@ void CollisionScene::Impl::keep(std::size_t g, OwnedGroup tree) {
     trim = read >= kReadBetweenTrims;
     if (trim) read = 0;
     many = keeps_all && !is_small && counts.built == kManyBuilt;
-    // The rest takes about as long as the whole.
+    // To build the other groups would take about as long as one tree of all boxes.
     most = keeps_all && is_small && groups.size() > 1 && 2 * built_boxes < boxes.size() &&
            2 * (built_boxes + count) >= boxes.size();
     built_boxes += count;
@@ -161,7 +161,7 @@ void CollisionScene::Impl::keep(std::size_t g, OwnedGroup tree) {
   if (trim) trim_mapped_files();
 }
 
-// These two help later questions, who can do without.
+// The next two only make later questions faster. Without memory they do nothing.
 void CollisionScene::Impl::make_whole() noexcept {
   try {
     std::vector<std::uint32_t> names(boxes.size());

@@ -112,8 +112,8 @@ inline const BoxNode* nodes_around(const CollisionScene::Impl& impl, const Vec3&
   return node ? node : impl.top.nodes.data();
 }
 
-// The tree of all boxes, where there is one: of a map that is one group, it is built now. It is
-// never given up.
+// The tree of all boxes, or null while there is none. A map of one group gets it now. It is never
+// given up.
 inline const GroupTree* whole_tree(CollisionScene::Impl& impl) {
   if (impl.groups.size() == 1) return &impl.touch(0);
   return impl.known_whole.load(std::memory_order_acquire);

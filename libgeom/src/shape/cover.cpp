@@ -83,8 +83,8 @@ class Slabs {
     rectangles_.reserve(few);
   }
 
-  // About how many rectangles a cover has. Between two levels, its slabs are as high as the edge
-  // there that is most level lets them be. Of many levels, some are looked at.
+  // About how many rectangles a cover has. Between two levels, the edge that is most level limits
+  // the height of slabs. If there are many levels, only some of them are looked at.
   double expected() {
     double out = 0;
     std::size_t next = 0;
@@ -115,7 +115,7 @@ class Slabs {
   }
 
   // After cover_far(): slabs that end at a corner's level where they reach one. Nothing where they
-  // are the same, too.
+  // have `most` rectangles or more, and where both covers are the same.
   std::optional<std::vector<Rectangle>> cover_to_corners(std::size_t most) {
     to_corners_ = true;
     return fork_ ? cover_from(*fork_, most) : std::nullopt;
@@ -385,7 +385,7 @@ bool improve(std::vector<Rectangle>& best, std::size_t& most, Slabs& slabs, bool
     improved = true;
   };
   take(slabs.cover_far(most));
-  // Of as many, those that end at corners.
+  // A cover whose slabs end at corners is taken also where it has as many.
   if (to_corners_too) take(slabs.cover_to_corners(improved ? most + 1 : most));
   return improved;
 }
@@ -438,7 +438,7 @@ std::vector<Rectangle> cover(const Polygon& polygon, double slack) {
   } else {
     Slabs level(turned, slack);
     const double expected_turned = level.expected();
-    // What is expected is about that far from what a cover has.
+    // An expected count is wrong by about its square root.
     const bool both =
         std::abs(expected - expected_turned) <= std::sqrt(std::min(expected, expected_turned));
     if (both || expected <= expected_turned) improve(best, most, upright, false);
