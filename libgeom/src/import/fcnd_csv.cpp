@@ -23,6 +23,8 @@
 namespace geom {
 namespace {
 
+constexpr std::uint64_t kShare = std::uint64_t{1} << 20;  // bytes that are worth a thread
+
 constexpr std::array<const char*, 6> kColumns = {"posX",      "posY",      "posZ",
                                                  "halfSizeX", "halfSizeY", "halfSizeZ"};
 constexpr std::array<const char*, 6> kNames = {"position x",  "position y",  "position z",
@@ -341,8 +343,9 @@ std::size_t read_boxes(std::istream& in, std::size_t before, std::string_view so
     append(out, block.boxes);
     spare.give(std::move(block));
   };
+  const Execution few = bytes > 0 ? for_work(run, bytes, kShare) : run;
   in_order<Block>(
-      run, 4 * run.threads, next, [&](Block& block) { block.parse(source, layout); }, take);
+      few, 4 * few.threads, next, [&](Block& block) { block.parse(source, layout); }, take);
   return blocks.lines();
 }
 

@@ -129,8 +129,9 @@ class TileSorter {
       const std::lock_guard lock(guard);
       spare.push_back(std::move(part));
     };
+    const Execution run = for_work(run_, table_.boxes.size(), kStretch);
     in_order<Part>(
-        run_, 2 * run_.threads, next, [&](Part& part) { fill(part); }, give);
+        run, 2 * run.threads, next, [&](Part& part) { fill(part); }, give);
     return finished();
   }
 

@@ -98,8 +98,12 @@ class Stamp {
       inside_[axis] = {std::lower_bound(x.begin(), x.end(), box.min[axis]) - x.begin() - 1,
                        std::upper_bound(x.begin(), x.end(), box.max[axis]) - x.begin() - 1};
     }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (const int step : {-1, 0, 1}) starts_[axis][step + 1] = starts(axis, step);
+    }
     clear({0, 0, 0}, [](std::uint32_t& mask, const Index3&) { mask &= ~Lattice::kNode; });
-    for (int d = 0; d < half_directions(grid_.spec.connectivity); ++d) {
+    const int directions = half_directions(grid_.spec.connectivity);
+    for (int d = 0; d < directions; ++d) {
       const auto& step = kDirection[static_cast<std::size_t>(d)];
       const bool straight = d < 3;  // its box is itself: overlap decides
       clear(step, [&](std::uint32_t& mask, const Index3& i) {
@@ -136,7 +140,7 @@ class Stamp {
   void clear(const std::array<int, 3>& step, const F& f) {
     Range r[3];
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      r[axis] = starts(axis, step[axis]);
+      r[axis] = starts_[axis][step[axis] + 1];
       if (r[axis].begin >= r[axis].end) return;
     }
     for (std::int64_t k = r[2].begin; k < r[2].end; ++k) {
@@ -163,6 +167,7 @@ class Stamp {
   std::uint32_t* masks_;
   std::array<std::vector<double>, 3> at_;
   std::array<Range, 3> inside_;  // along each axis, the nodes inside the box, of all at_
+  std::array<std::array<Range, 3>, 3> starts_;  // along each axis, of steps -1, 0 and 1
 };
 
 class SceneMasks final : public MaskSource {

@@ -29,6 +29,8 @@ struct Look {
 // Bends as columns of numbers.
 class BendLanes {
  public:
+  static constexpr double kSpare = 1e-6;  // m, far more than what is rounded
+
   explicit BendLanes(std::span<const Bend> bends) {
     const std::size_t room = bends.size() + kLanes;  // the last look may go beyond the end
     for (auto& column : place_) column.resize(room);
@@ -42,16 +44,18 @@ class BendLanes {
     }
   }
 
-  // Bit k of the answer says whether bend first + k is one that a path goes on to from `p`: its
-  // squared distance is at most `square`, `onward` goes there, and the line is tangent to its box.
-  // Writes the squared distances. Of at most BendTree::kBendsOfLeaf bends.
-  unsigned reached(std::size_t first, std::size_t count, const Vec3& p, const Onward& onward,
-                   double square, double* squares) const {
+  // Bit k of the answer says whether bend first + k is one that `look` goes on to: it is near
+  // enough, a path over it to the goal is at most kSpare too long, `onward` goes there, and the
+  // line is tangent to its box. Writes the squared distances. Of at most BendTree::kBendsOfLeaf
+  // bends. to_goal[i]: how far bend i is from the goal, in metres; room for three numbers past the
+  // last.
+  unsigned reached(std::size_t first, std::size_t count, const Look& look, const double* to_goal,
+                   double* squares) const {
 #if defined(__x86_64__)
     static const bool lanes = CPU_FEATURE_ACTIVE(AVX2);
-    if (lanes) return in_lanes(first, count, p, onward.terms(), square, squares);
+    if (lanes) return in_lanes(first, count, look, to_goal + first, squares);
 #endif
-    return one_by_one(first, count, p, onward, square, squares);
+    return one_by_one(first, count, look, to_goal, squares);
   }
 
   // Bit k of the answer says whether child k of node i may have bends that `look` looks for.
@@ -80,16 +84,18 @@ class BendLanes {
     }
     return out;
   }
-  unsigned one_by_one(std::size_t first, std::size_t count, const Vec3& p, const Onward& onward,
-                      double square, double* squares) const {
+  unsigned one_by_one(std::size_t first, std::size_t count, const Look& look, const double* to_goal,
+                      double* squares) const {
     unsigned out = 0;
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t i = first + k;
-      const Vec3 d = Vec3(place_[0][i], place_[1][i], place_[2][i]) - p;
+      const Vec3 d = Vec3(place_[0][i], place_[1][i], place_[2][i]) - look.from;
       squares[k] = d.squaredNorm();
+      const double left = look.left + kSpare - to_goal[i];
       const Across back{d[0] * back_[0][i] + d[1] * back_[1][i] + d[2] * back_[2][i],
                         d[0] * back_[3][i] + d[1] * back_[4][i] + d[2] * back_[5][i]};
-      const bool yes = (squares[k] <= square) & onward.goes(d) & back.tangent();
+      const bool near = (squares[k] <= look.square) & (left > 0) & (squares[k] < left * left);
+      const bool yes = near & look.onward.goes(d) & back.tangent();
       out |= static_cast<unsigned>(yes) << k;
     }
     return out;
@@ -133,6 +139,14 @@ class BendLanes {
     return _mm256_add_pd(out, _mm256_mul_pd(_mm256_loadu_pd(columns[2].data() + i), d[2]));
   }
 
+  // Whether squared distances are at most `square`, and below those of what is left.
+  SKYWAY_BEND_LANES static __m256d within(__m256d apart, double square, __m256d left) {
+    return _mm256_and_pd(
+        _mm256_cmp_pd(apart, _mm256_set1_pd(square), _CMP_LE_OQ),
+        _mm256_and_pd(_mm256_cmp_pd(left, _mm256_setzero_pd(), _CMP_GT_OQ),
+                      _mm256_cmp_pd(apart, _mm256_mul_pd(left, left), _CMP_LT_OQ)));
+  }
+
   SKYWAY_BEND_LANES static unsigned in_lanes(const BendTree::Children& children, const Look& look,
                                              const double* to_goal) {
     static_assert(BendTree::kChildren == kLanes);
@@ -151,10 +165,7 @@ class BendLanes {
         _mm256_add_pd(_mm256_add_pd(_mm256_mul_pd(off[0], off[0]), _mm256_mul_pd(off[1], off[1])),
                       _mm256_mul_pd(off[2], off[2]));
     const __m256d left = _mm256_sub_pd(_mm256_set1_pd(look.left), _mm256_loadu_pd(to_goal));
-    const __m256d near =
-        _mm256_and_pd(_mm256_cmp_pd(apart, _mm256_set1_pd(look.square), _CMP_LE_OQ),
-                      _mm256_and_pd(_mm256_cmp_pd(left, _mm256_setzero_pd(), _CMP_GT_OQ),
-                                    _mm256_cmp_pd(apart, _mm256_mul_pd(left, left), _CMP_LT_OQ)));
+    const __m256d near = within(apart, look.square, left);
     if (_mm256_testz_pd(near, near)) return 0;
     const Onward::Terms on = look.onward.terms();
     const __m256d missed = misses(on, low, back);
@@ -184,25 +195,28 @@ class BendLanes {
     return _mm256_or_pd(aside, _mm256_cmp_pd(behind, forgiven, _CMP_GT_OQ));
   }
 
-  SKYWAY_BEND_LANES unsigned in_lanes(std::size_t first, std::size_t count, const Vec3& p,
-                                      const Onward::Terms& on, double square,
-                                      double* squares) const {
+  SKYWAY_BEND_LANES unsigned in_lanes(std::size_t first, std::size_t count, const Look& look,
+                                      const double* to_goal, double* squares) const {
+    const Onward::Terms on = look.onward.terms();
+    const __m256d most = _mm256_set1_pd(look.left + kSpare);
     unsigned out = 0;
     for (std::size_t k = 0; k < count; k += kLanes) {
       __m256d d[3];
 #pragma GCC unroll 3
       for (std::size_t a = 0; a < 3; ++a) {
         d[a] = _mm256_sub_pd(_mm256_loadu_pd(place_[a].data() + first + k),
-                             _mm256_set1_pd(p[static_cast<int>(a)]));
+                             _mm256_set1_pd(look.from[static_cast<int>(a)]));
       }
       // In the order of squaredNorm().
       const __m256d apart =
           _mm256_add_pd(_mm256_add_pd(_mm256_mul_pd(d[0], d[0]), _mm256_mul_pd(d[1], d[1])),
                         _mm256_mul_pd(d[2], d[2]));
       _mm256_storeu_pd(squares + k, apart);
-      const __m256d near = _mm256_cmp_pd(apart, _mm256_set1_pd(square), _CMP_LE_OQ);
+      const __m256d left = _mm256_sub_pd(most, _mm256_loadu_pd(to_goal + k));
+      const __m256d near = within(apart, look.square, left);
+      if (_mm256_testz_pd(near, near)) continue;  // most end here or below, before what costs most
       const __m256d there = _mm256_and_pd(near, goes(d, on));
-      if (_mm256_testz_pd(there, there)) continue;  // most end here, before what costs most
+      if (_mm256_testz_pd(there, there)) continue;
       const __m256d back = tangent(along(&back_[0], first + k, d), along(&back_[3], first + k, d));
       out |= static_cast<unsigned>(_mm256_movemask_pd(_mm256_and_pd(there, back))) << k;
     }

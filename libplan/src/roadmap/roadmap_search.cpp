@@ -150,11 +150,12 @@ void RoadmapSearch::Impl::push_node(std::uint32_t index) {
 void RoadmapSearch::Impl::measure_to_goal() {
   bend_to_goal_.clear();
   for (const Bend& bend : tiles_.bends()) bend_to_goal_.push_back((to_ - bend.position).norm());
+  bend_to_goal_.resize(tiles_.bends().size() + BendTree::kChildren);  // a look reads whole lanes
   node_to_goal_.clear();
   for (std::uint32_t n = 0; n < tree_->size(); ++n) {
     node_to_goal_.push_back(BendTree::distance(tree_->node(n), to_));
   }
-  node_to_goal_.resize(tree_->size() + BendTree::kChildren);  // a look reads whole lanes
+  node_to_goal_.resize(tree_->size() + BendTree::kChildren);  // as above
 }
 
 void RoadmapSearch::Impl::open_node(std::uint32_t index) {
@@ -205,8 +206,7 @@ void RoadmapSearch::Impl::look_around(std::uint32_t i, double cost, const Across
   };
   std::array<double, BendTree::kBendsOfLeaf> squares;
   tree_->for_leaves(pick, [&](std::uint32_t first, std::uint32_t count) {
-    unsigned mask =
-        lanes_->reached(first, count, bend.position, onward, look.square, squares.data());
+    unsigned mask = lanes_->reached(first, count, look, bend_to_goal_.data(), squares.data());
     for (; mask != 0; mask &= mask - 1) {
       const auto k = static_cast<std::uint32_t>(std::countr_zero(mask));
       const std::uint32_t j = first + k;

@@ -84,7 +84,7 @@ class InteriorPoint {
     BandedOutcome out;
     for (;; ++out.iterations) {
       gradient_ = nlp_.gradient(at_.x);
-      points_ = nlp_.points(at_.x);
+      points_ = nlp_.points(at_.x, std::move(points_));
       if (ended(out)) break;
       if (lower_barrier()) filter.forget();
       if (!factored()) {
@@ -198,11 +198,11 @@ class InteriorPoint {
   bool factored() {
     ratio_.resize(at_.slack.size());
     for (std::size_t i = 0; i < ratio_.size(); ++i) ratio_[i] = multiplier_.row[i] / at_.slack[i];
-    blocks_.clear();
+    blocks_.resize(nlp_.pieces(), Nlp::Block::Zero());
     lift_.clear();
     for (std::size_t k = 0; k < nlp_.pieces(); ++k) {
-      blocks_.push_back(nlp_.condensed_block(k, at_.x, points_, 1, multiplier_.row, ratio_));
-      lift_.push_back(std::max(0.0, -2 * duration_pivot(blocks_.back())));
+      nlp_.condense(k, at_.x, points_, 1, multiplier_.row, ratio_, blocks_[k]);
+      lift_.push_back(std::max(0.0, -2 * duration_pivot(blocks_[k])));
     }
     if (landing_) {
       share_ = 1;

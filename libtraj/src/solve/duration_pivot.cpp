@@ -20,25 +20,25 @@ using Columns = std::array<double, kBoth * kRows>;
 }  // namespace
 
 double duration_pivot(const Nlp::Block& block) {
-  Columns columns{};
   std::array<double, kBoth> diagonal;
   double most = 0;
   for (int j = 0; j < kBoth; ++j) {
     const int from = j < kJoint ? j : j + 1;
-    double* const column = &columns[static_cast<std::size_t>(j * kRows)];
-    const double* const given = &block(0, from);
-    if (j < kJoint) std::copy_n(given, kJoint, column);
-    std::copy_n(given + kTime + 1, kJoint, column + kJoint);
-    column[kBoth] = j < kJoint ? given[kTime] : block(from, kTime);
     double& own = diagonal[static_cast<std::size_t>(j)];
-    own = column[j] + (column[j] == 0 ? 1 : kShift);
+    own = block(from, from);
+    own += own == 0 ? 1 : kShift;
     most = std::max(most, std::abs(own));
   }
-  Columns factor;
+  Columns factor{};
   const auto factored = [&]() SKYWAY_FOUR_LANES {
-    factor = columns;
     for (int j = 0; j < kBoth; ++j) {
-      factor[static_cast<std::size_t>(j * kRows + j)] = diagonal[static_cast<std::size_t>(j)];
+      const int from = j < kJoint ? j : j + 1;
+      double* const column = &factor[static_cast<std::size_t>(j * kRows)];
+      const double* const given = &block(0, from);
+      if (j < kJoint) std::copy_n(given, kJoint, column);
+      std::copy_n(given + kTime + 1, kJoint, column + kJoint);
+      column[j] = diagonal[static_cast<std::size_t>(j)];
+      column[kBoth] = j < kJoint ? given[kTime] : block(from, kTime);
     }
     return ColumnsCholesky<kBoth, kRows>::eliminate(factor.data());
   };

@@ -224,8 +224,9 @@ std::vector<double> Nlp::constraint_values(std::span<const double> x) const {
   return out;
 }
 
-std::vector<Nlp::Point> Nlp::points(std::span<const double> x) const {
-  std::vector<Point> out(groups_.size());
+std::vector<Nlp::Point> Nlp::points(std::span<const double> x, std::vector<Point> memory) const {
+  std::vector<Point> out = std::move(memory);
+  out.resize(groups_.size());
   const auto add_pieces = [&]() SKYWAY_FOUR_LANES {
     for (std::size_t k = 0; k < spec_.corridor.size(); ++k) {
       const Piece p = piece(k, x);

@@ -75,8 +75,8 @@ class Nlp {
   std::vector<double> gradient(std::span<const double> x) const;
   std::vector<double> constraint_values(std::span<const double> x) const;
   // The points that are constrained, piece by piece, which all first and second derivatives of the
-  // constraints at x are made of.
-  std::vector<Point> points(std::span<const double> x) const;
+  // constraints at x are made of. `memory` is used again.
+  std::vector<Point> points(std::span<const double> x, std::vector<Point> memory = {}) const;
   const std::vector<Entry>& jacobian_entries() const { return jacobian_entries_; }
   std::vector<double> jacobian(std::span<const double> x) const;
 
@@ -94,7 +94,15 @@ class Nlp {
   // `points` are those at x.
   Block condensed_block(std::size_t piece, std::span<const double> x, std::span<const Point> points,
                         double factor, std::span<const double> multipliers,
-                        std::span<const double> weights) const;
+                        std::span<const double> weights) const {
+    Block block = Block::Zero();
+    condense(piece, x, points, factor, multipliers, weights, block);
+    return block;
+  }
+  // The same, in place: writes the lower triangle, and what else is written stays 0.
+  void condense(std::size_t piece, std::span<const double> x, std::span<const Point> points,
+                double factor, std::span<const double> multipliers, std::span<const double> weights,
+                Block& block) const;
   int global(std::size_t piece, int local) const;  // -1 when fixed
   std::size_t pieces() const { return spec_.corridor.size(); }
 

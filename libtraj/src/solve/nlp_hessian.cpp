@@ -164,11 +164,9 @@ Nlp::Block Nlp::hessian_block(std::size_t index, std::span<const double> x, doub
   return condensed_block(index, x, points(x), factor, multipliers, {});
 }
 
-Nlp::Block Nlp::condensed_block(std::size_t index, std::span<const double> x,
-                                std::span<const Point> points, double factor,
-                                std::span<const double> multipliers,
-                                std::span<const double> weights) const {
-  Block h = Block::Zero();
+void Nlp::condense(std::size_t index, std::span<const double> x, std::span<const Point> points,
+                   double factor, std::span<const double> multipliers,
+                   std::span<const double> weights, Block& h) const {
   ByStates by_states;
   ByDuration by_duration;
   std::array<double, kLocal> scales;
@@ -199,7 +197,6 @@ Nlp::Block Nlp::condensed_block(std::size_t index, std::span<const double> x,
     by_duration.write(scales, h);
   };
   with_four_lanes(add_all);
-  return h;
 }
 
 std::vector<double> Nlp::hessian(std::span<const double> x, double factor,

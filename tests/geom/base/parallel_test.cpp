@@ -35,5 +35,17 @@ TEST(ParallelFor, ThrowsWhatTheProgressReportThrew) {
   }
 }
 
+TEST(ForWork, GivesEachThreadEnough) {
+  const auto threads = [](unsigned threads, std::uint64_t work) {
+    return for_work({threads, {}}, work, 100).threads;
+  };
+  EXPECT_EQ(threads(8, 0), 1u);
+  EXPECT_EQ(threads(8, 199), 1u);
+  EXPECT_EQ(threads(8, 200), 2u);
+  EXPECT_EQ(threads(8, 1'000'000'000'000), 8u);
+  EXPECT_EQ(threads(1, 1'000'000'000'000), 1u);
+  EXPECT_EQ(threads(0, 200), 1u);
+}
+
 }  // namespace
 }  // namespace geom

@@ -37,6 +37,7 @@ bool goes_on(const Bend& bend, const Across& in, const Bend& other) {
 TEST(BendLanes, AreReachedAsBendsAreOneByOne) {
   support::Random random(1);
   int reached = 0;
+  int too_far = 0;  // from the goal
   for (int n = 0; n < 20'000; ++n) {
     std::vector<Bend> bends(BendTree::kBendsOfLeaf + 3);
     for (Bend& bend : bends) bend = random_bend(random);
@@ -45,21 +46,30 @@ TEST(BendLanes, AreReachedAsBendsAreOneByOne) {
     const Onward onward(from, in);
     const std::size_t count = 1 + static_cast<std::size_t>(random.below(BendTree::kBendsOfLeaf));
     const double reach = random.below(2) ? 100 : 400;  // squared
+    const Look look{from.position, onward, reach, random.uniform(0, 60)};
+    const Vec3 goal = 2 * random_bend(random).position;
+    std::vector<double> to_goal;
+    for (const Bend& bend : bends) to_goal.push_back((goal - bend.position).norm());
+    to_goal.resize(bends.size() + BendTree::kChildren);
     double squares[BendTree::kBendsOfLeaf];
     const BendLanes lanes(bends);
-    const unsigned alone = lanes.one_by_one(3, count, from.position, onward, reach, squares);
-    const unsigned mask = lanes.reached(3, count, from.position, onward, reach, squares);
+    const unsigned alone = lanes.one_by_one(3, count, look, to_goal.data(), squares);
+    const unsigned mask = lanes.reached(3, count, look, to_goal.data(), squares);
     ASSERT_EQ(mask, alone);
     ASSERT_EQ(mask >> count, 0u);
     for (std::size_t k = 0; k < count; ++k) {
       const Bend& other = bends[3 + k];
       ASSERT_EQ(squares[k], (other.position - from.position).squaredNorm());
-      const bool expected = squares[k] <= reach && goes_on(from, in, other);
-      ASSERT_EQ((mask >> k & 1) != 0, expected);
-      reached += expected;
+      const bool near = squares[k] <= reach && goes_on(from, in, other);
+      const double over = std::sqrt(squares[k]) + to_goal[3 + k] - look.left;
+      if (std::abs(over) < 2 * BendLanes::kSpare) continue;
+      ASSERT_EQ((mask >> k & 1) != 0, near && over < 0);
+      reached += near && over < 0;
+      too_far += near && over > 0;
     }
   }
   EXPECT_GT(reached, 1000);
+  EXPECT_GT(too_far, 1000);
 }
 
 TEST(BendLanes, LookIntoTheSameNodesAsOneByOne) {

@@ -19,6 +19,7 @@
 #include "geom/text/beginning.h"
 #include "geom/text/number.h"
 #include "mission/formats/text_head.h"
+#include "solve/four_lanes.h"
 #include "traj/mission/formats/mission_formats.h"
 
 namespace traj {
@@ -160,42 +161,61 @@ constexpr double kLargest = 0x1p+127;   // what it surely holds
 constexpr double kFarthestStray = 1;    // m: no flight any more
 constexpr int kParts = 64;              // of a segment, for the ranges of partial sums
 
-// Of several parts at once.
-using Lanes = Eigen::Array<double, 8, 1>;
-static_assert(kParts % Lanes::RowsAtCompileTime == 0);
+// Of parts at once.
+using Lanes = Four;
+constexpr int kLanes = 4;
+static_assert(kParts % kLanes == 0);
 
 struct Range {
   Lanes low;
   Lanes high;
-  Lanes most() const { return low.abs().max(high.abs()); }
-};
 
-// y t for t from `low` to `high`, both >= 0.
-Range product(const Range& y, const Lanes& low, const Lanes& high) {
-  return {(y.low * low).min(y.low * high), (y.high * low).max(y.high * high)};
-}
+  // Of its numbers, the largest size.
+  SKYWAY_FOUR_LANES void size(Lanes& out) const {
+    const Lanes below = low > -low ? low : -low;
+    const Lanes above = high > -high ? high : -high;
+    out = below > above ? below : above;
+  }
+  // Times t from `from` to `to`, both >= 0.
+  SKYWAY_FOUR_LANES void multiply(const Lanes& from, const Lanes& to) {
+    low = low * from < low * to ? low * from : low * to;
+    high = high * from > high * to ? high * from : high * to;
+  }
+};
 
 // How far Horner's rule in single precision may be from the polynomial over [0, duration], where
 // each coefficient was rounded `roundings` times before.
 double horner_error(const Powers& c, double duration, int roundings) {
-  double worst = 0;
-  for (int part = 0; part < kParts; part += Lanes::RowsAtCompileTime) {
-    const Lanes first = Lanes::LinSpaced(part, part + Lanes::RowsAtCompileTime - 1);
-    const Lanes low = duration * first / kParts;
-    const Lanes high = duration * (first + 1) / kParts;
-    Range y{Lanes::Constant(c[kDegree]), Lanes::Constant(c[kDegree])};
-    Lanes error = roundings * kUnit * y.most();
-    for (int k = kDegree - 1; k >= 0; --k) {
-      const Range times = product(y, low, high);
-      const Lanes of_product = error * high * (1 + kUnit) + kUnit * times.most() + kSmallest;
-      y = {times.low + c[k], times.high + c[k]};
-      const Lanes before = of_product + roundings * kUnit * std::abs(c[k]);
-      error = before + kUnit * (y.most() + before) + kSmallest;
-      if (!(times.most() + y.most() + error <= kLargest).all()) return kInfinity;
+  const auto found = [&]() SKYWAY_FOUR_LANES {
+    Lanes worst{};
+    auto fits = worst == worst;
+    for (int part = 0; part < kParts; part += kLanes) {
+      Lanes first;
+      for (int i = 0; i < kLanes; ++i) first[i] = part + i;
+      const Lanes low = duration * first / kParts;
+      const Lanes high = duration * (first + 1) / kParts;
+      Range y{c[kDegree] + Lanes{}, c[kDegree] + Lanes{}};
+      Lanes size, times;
+      y.size(size);
+      Lanes error = roundings * kUnit * size;
+      for (int k = kDegree - 1; k >= 0; --k) {
+        y.multiply(low, high);
+        y.size(times);
+        const Lanes of_product = error * high * (1 + kUnit) + kUnit * times + kSmallest;
+        y = {y.low + c[k], y.high + c[k]};
+        y.size(size);
+        const Lanes before = of_product + roundings * kUnit * std::abs(c[k]);
+        error = before + kUnit * (size + before) + kSmallest;
+        fits &= times + size + error <= kLargest;
+      }
+      worst = worst > error ? worst : error;
     }
-    worst = std::max(worst, error.maxCoeff());
-  }
-  return worst * (1 + 1e-6);  // more than this sum's own rounding, in double, and terms of kUnit^2
+    double all = 0;
+    for (int i = 0; i < kLanes; ++i) all = fits[i] ? std::max(all, worst[i]) : kInfinity;
+    return all;
+  };
+  // More than this sum's own rounding, in double, and terms of kUnit^2.
+  return with_four_lanes(found) * (1 + 1e-6);
 }
 
 Powers derivative(const Powers& c) {
