@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "zone_period.h"
+
 namespace geom::zone {
 namespace {
 
@@ -52,40 +54,9 @@ class Reader {
     zone.type = type_of(member(json, "restriction"), "restriction", place);
     zone.authority = authorities_of(member(json, "zoneAuthority"));
     zone.message = message_of(json);
-    zone.periods = periods_of(member(json, "applicability"), place);
+    zone.periods = periods_of(member(json, "applicability"), "applicability", place, out_.warnings);
     add_volumes(member(json, "geometry"), place, zone);
     out_.zones.push_back(std::move(zone));
-  }
-
-  static bool is_permanent(const Json& period, const ZonePlace& place) {
-    const Json* const permanent = member(period, "permanent");
-    if (!permanent || *permanent == "NO" || *permanent == false) return false;
-    if (*permanent == "YES" || *permanent == true) return true;
-    place.refuse({.key = "permanent", .expected = "YES or NO", .found = shown(*permanent)});
-  }
-
-  // What is permanent is always there, whatever else stands beside it.
-  static std::vector<ZonePeriod> periods_of(const Json* list, const ZonePlace& place) {
-    std::vector<ZonePeriod> out;
-    if (!list) return out;
-    if (!list->is_array()) {
-      place.refuse({.key = "applicability", .expected = "a list", .found = shown(*list)});
-    }
-    for (const Json& one : *list) {
-      if (is_permanent(one, place)) return {};
-      ZonePeriod period;
-      if (const Json* const at = member(one, "startDateTime")) {
-        period.start = instant_of(*at, "startDateTime", Side::begin, place);
-      }
-      if (const Json* const at = member(one, "endDateTime")) {
-        period.end = instant_of(*at, "endDateTime", Side::end, place);
-      }
-      const Json* const schedule = member(one, "schedule");
-      period.schedule = schedule_of(schedule ? schedule : member(one, "dailyPeriod"), place);
-      require_ordered(period, place);
-      out.push_back(std::move(period));
-    }
-    return out;
   }
 
   void add_volumes(const Json* list, const ZonePlace& place, Zone& zone) {

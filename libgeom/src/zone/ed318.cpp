@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "geom/text/geojson_crs.h"
+#include "zone_period.h"
 
 namespace geom::zone {
 namespace {
@@ -71,37 +72,14 @@ class Reader {
     zone.type = type_of(member(*properties, "type"), "type", place);
     zone.authority = authorities_of(member(*properties, "zoneAuthority"));
     zone.message = message_of(*properties);
-    zone.periods = periods_of(member(*properties, "limitedApplicability"), place);
+    zone.periods = periods_of(member(*properties, "limitedApplicability"), "limitedApplicability",
+                              place, out_.warnings);
     const Json* const geometry = member(feature, "geometry");
     if (!geometry) place.refuse({.key = "geometry", .expected = "an object", .found = "none"});
     const Json* layer = member(feature, "layer");
     if (!layer) layer = member(*properties, "layer");
     add_volumes(*geometry, layer, place, zone);
     out_.zones.push_back(std::move(zone));
-  }
-
-  static std::vector<ZonePeriod> periods_of(const Json* list, const ZonePlace& place) {
-    std::vector<ZonePeriod> out;
-    if (!list) return out;
-    if (!list->is_array()) {
-      place.refuse({.key = "limitedApplicability", .expected = "a list", .found = shown(*list)});
-    }
-    for (const Json& one : *list) {
-      if (!one.is_object()) {
-        place.refuse({.key = "limitedApplicability", .expected = "objects", .found = shown(one)});
-      }
-      ZonePeriod period;
-      if (const Json* const at = member(one, "startDateTime")) {
-        period.start = instant_of(*at, "startDateTime", Side::begin, place);
-      }
-      if (const Json* const at = member(one, "endDateTime")) {
-        period.end = instant_of(*at, "endDateTime", Side::end, place);
-      }
-      period.schedule = schedule_of(member(one, "schedule"), place);
-      require_ordered(period, place);
-      out.push_back(std::move(period));
-    }
-    return out;
   }
 
   // A geometry without layer has that of the collection around it, or of the feature.

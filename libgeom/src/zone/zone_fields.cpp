@@ -122,32 +122,6 @@ ZoneVolume polygon_of(const Json& rings, const ZonePlace& place,
   return volume;
 }
 
-std::uint8_t day_bit(const Json& day, const ZonePlace& place) {
-  static constexpr const char* kDays[] = {"MON", "TUE", "WED", "THU", "FRI", "SAT", "SUN"};
-  if (day == "ANY") return kEveryDay;
-  for (unsigned i = 0; i < 7; ++i) {
-    if (day == kDays[i]) return static_cast<std::uint8_t>(1U << i);
-  }
-  place.refuse({.key = "day", .expected = "MON to SUN, or ANY", .found = shown(day)});
-}
-
-std::optional<DayTime> day_end_of(const Json& period, const char* time, const char* event,
-                                  const ZonePlace& place) {
-  const Json* const at = member(period, time);
-  const Json* const sun = member(period, event);
-  if (at && sun) {
-    place.refuse({.key = time, .expected = std::string("absent beside ") + event, .found = "both"});
-  }
-  if (at) return day_time_of(*at, time, place);
-  if (!sun) return std::nullopt;
-  const auto word =
-      sun->is_string() ? value_of(kDayEventWords, sun->get<std::string>()) : std::nullopt;
-  if (!word) {
-    place.refuse({.key = event, .expected = listed(kDayEventWords), .found = shown(*sun)});
-  }
-  return DayTime{.event = word};
-}
-
 std::string joined_texts(const Json& list) {
   std::string out;
   for (const Json& one : list) {
@@ -322,39 +296,6 @@ void require_ordered(const ZoneVolume& volume, const ZonePlace& place) {
   place.refuse({.key = "the lower limit",
                 .expected = "<= the upper one",
                 .found = fmt::format("{} and {} m", volume.lower->metres, volume.upper->metres)});
-}
-
-std::vector<DailyPeriod> schedule_of(const Json* list, const ZonePlace& place) {
-  std::vector<DailyPeriod> out;
-  if (!list) return out;
-  if (!list->is_array()) {
-    place.refuse({.key = "a schedule", .expected = "a list", .found = shown(*list)});
-  }
-  for (const Json& one : *list) {
-    if (!one.is_object()) {
-      place.refuse({.key = "a schedule", .expected = "objects", .found = shown(one)});
-    }
-    DailyPeriod period;
-    const Json* const days = member(one, "day");
-    if (days && days->is_array() && !days->empty()) {
-      period.days = 0;
-      for (const Json& day : *days) period.days |= day_bit(day, place);
-    } else if (days && !days->is_array()) {
-      period.days = day_bit(*days, place);
-    }
-    period.begin = day_end_of(one, "startTime", "startEvent", place);
-    period.end = day_end_of(one, "endTime", "endEvent", place);
-    out.push_back(period);
-  }
-  return out;
-}
-
-void require_ordered(const ZonePeriod& period, const ZonePlace& place) {
-  if (!period.start || !period.end) return;
-  if (seconds_between(*period.start, *period.end).most >= 0) return;
-  place.refuse({.key = "endDateTime",
-                .expected = "after startDateTime",
-                .found = fmt::format("{} and {}", *period.start, *period.end)});
 }
 
 std::string authorities_of(const Json* list) {

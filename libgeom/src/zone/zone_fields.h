@@ -74,12 +74,6 @@ std::optional<HeightLimit> limit_of(const Json& object, const LimitKeys& keys, d
 // Throws where the lower limit is above the upper one of the same reference.
 void require_ordered(const ZoneVolume& volume, const ZonePlace& place);
 
-// Days, times and events. `list` may be null.
-std::vector<DailyPeriod> schedule_of(const Json* list, const ZonePlace& place);
-
-// Throws where the end is before the start.
-void require_ordered(const ZonePeriod& period, const ZonePlace& place);
-
 // "name, service, email …; purpose; 30 days before".
 std::string authorities_of(const Json* list);
 

@@ -154,6 +154,39 @@ TEST(ReadZones, ObeyAPermanentThatIsAYesOfJson) {
   EXPECT_EQ(ed269(zone).zones[0].periods.size(), 1U);
 }
 
+TEST(ReadZones, ReadTheTimesOfBothLists) {
+  Json zone = ed269_zone();
+  zone["applicability"] = Json::parse(R"([{"schedule":[{"day":["MON"],"startTime":"08:00Z"}],
+    "dailyPeriod":[{"day":["SUN"],"startTime":"09:00Z"}]}])");
+  const ZonePeriod period = ed269(zone).zones.at(0).periods.at(0);
+  ASSERT_EQ(period.schedule.size(), 2U);
+  EXPECT_EQ(period.schedule[0].days, 1);
+  EXPECT_EQ(period.schedule[1].days, 64);
+}
+
+// What a member that nobody knows says may be that the zone is there at other times, too.
+TEST(ReadZones, AMemberOfItsTimesThatIsNotKnownMeansAlways) {
+  const Json times = Json::parse(
+      R"([{"startDateTime":"2026-05-04T08:00:00Z","endDateTime":"2026-05-04T09:00:00Z"}])");
+  for (const Json& more : {Json{{"permanent", "YES"}}, Json{{"repeats", "yearly"}}}) {
+    Json zone = ed269_zone();
+    zone["applicability"] = times;
+    zone["applicability"][0].update(more);
+    EXPECT_TRUE(ed269(zone).zones.at(0).periods.empty()) << more;
+    Json feature = ed318_feature();
+    feature["properties"]["limitedApplicability"] = times;
+    feature["properties"]["limitedApplicability"][0].update(more);
+    const ZoneFile file = ed318(feature);
+    EXPECT_TRUE(file.zones.at(0).periods.empty()) << more;
+    EXPECT_EQ(file.warnings.size(), more.contains("repeats") ? 1U : 0U);
+  }
+  Json feature = ed318_feature();
+  feature["properties"]["limitedApplicability"][0]["schedule"][0]["timeZone"] = "Europe/Berlin";
+  const DailyPeriod daily = ed318(feature).zones.at(0).periods.at(0).schedule.at(0);
+  EXPECT_EQ(daily.days, kEveryDay);
+  EXPECT_FALSE(daily.begin || daily.end);
+}
+
 TEST(ReadZones, RefuseWhatCannotBeReadAndNameTheZone) {
   const auto with = [](const char* pointer, const Json& value) {
     Json zone = ed269_zone();
