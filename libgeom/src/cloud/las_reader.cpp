@@ -17,24 +17,32 @@ namespace {
 
 constexpr std::size_t kLaterHead = 60;
 
+using Bytes = std::vector<unsigned char>;
+
 // Whether points that the header does not count follow those it does: `room` bytes or more up to
-// where the next part of the file begins, or its end.
-void require_no_more(ByteSource& rest, const LasHeader& h, std::uint64_t room) {
+// where the next part of the file begins, or its end. Gives the bytes that were read to tell this.
+Bytes require_no_more(ByteSource& rest, const LasHeader& h, std::size_t room) {
   const std::uint64_t end = rest.position();
   std::uint64_t next = std::numeric_limits<std::uint64_t>::max();
   if (h.later_count > 0 && h.later_records >= end) next = h.later_records;
   if (h.waveforms >= end) next = std::min(next, h.waveforms);
   const bool known_end = next != std::numeric_limits<std::uint64_t>::max();
-  if (known_end ? next - end >= room : rest.skip(room) == room) {
+  Bytes read(known_end ? 0 : room);
+  const std::size_t got = rest.copy(read);
+  if (known_end ? next - end >= room : got == room) {
     rest.refuse({.says = fmt::format("expected {} points of {} bytes, and the file holds more",
                                      h.points, h.record)});
   }
+  read.resize(got);
+  return read;
 }
 
 // What follows the points must say nothing of the coordinates that the records before do not.
-void require_told_before(ByteSource& rest, const LasHeader& h, const LasRecords& told) {
+void require_told_before(ByteSource& rest, const LasHeader& h, const LasRecords& told,
+                         const Bytes& before) {
   LaterReferences later(told.references, h.well_known_text);
-  std::vector<unsigned char> piece(1 << 16);
+  later.take(before);
+  Bytes piece(1 << 16);
   const auto pass = [&](std::uint64_t bytes) {  // false where there were less
     while (bytes > 0) {
       const std::size_t some = std::min<std::uint64_t>(bytes, piece.size());
@@ -59,8 +67,9 @@ void require_told_before(ByteSource& rest, const LasHeader& h, const LasRecords&
   later.finish();
 }
 
-void read_points(ByteSource& bytes, const LasHeader& h, PointChunks& chunks) {
-  std::vector<unsigned char> record(h.record);
+// Each gives what it read behind the points.
+Bytes read_points(ByteSource& bytes, const LasHeader& h, PointChunks& chunks) {
+  Bytes record(h.record);
   for (std::uint64_t i = 0; i < h.points; ++i) {
     if (bytes.copy(record) < h.record) {
       bytes.refuse({.says = fmt::format("expected {}, and the file ends after {}",
@@ -71,17 +80,17 @@ void read_points(ByteSource& bytes, const LasHeader& h, PointChunks& chunks) {
     const std::uint8_t cls = h.modern() ? record[16] : static_cast<std::uint8_t>(record[15] & 0x1f);
     chunks.add(raw.cwiseProduct(h.scale) + h.offset, cls);
   }
-  require_no_more(bytes, h, h.record);
+  return require_no_more(bytes, h, h.record);
 }
 
-void read_compressed(ByteSource& bytes, const LasHeader& h, const LazSetup& setup,
-                     const LasReading& reading, PointChunks& chunks) {
+Bytes read_compressed(ByteSource& bytes, const LasHeader& h, const LazSetup& setup,
+                      const LasReading& reading, PointChunks& chunks) {
   for_each_laz_point(bytes, setup, h.points, reading, [&](const LazPoint& p) {
     chunks.add(Vec3(p.x, p.y, p.z).cwiseProduct(h.scale) + h.offset, p.cls);
   });
   // Some writers leave a few bytes behind the table of chunks; a second file would be longer.
-  constexpr std::uint64_t kLeastFile = 227;
-  require_no_more(bytes, h, setup.layout == LazSetup::Layout::one_stream ? 1 : kLeastFile);
+  constexpr std::size_t kLeastFile = 227;
+  return require_no_more(bytes, h, setup.layout == LazSetup::Layout::one_stream ? 1 : kLeastFile);
 }
 
 }  // namespace
@@ -93,12 +102,9 @@ CloudCounts read_las(std::istream& in, std::string_view source, const PointSink&
   if (reference) reference(told.reference);
   PointChunks chunks(source, sink);
   ByteSource bytes(in, h.data, source);
-  if (told.laz) {
-    read_compressed(bytes, h, *told.laz, reading, chunks);
-  } else {
-    read_points(bytes, h, chunks);
-  }
-  require_told_before(bytes, h, told);
+  const Bytes behind = told.laz ? read_compressed(bytes, h, *told.laz, reading, chunks)
+                                : read_points(bytes, h, chunks);
+  require_told_before(bytes, h, told, behind);
   return chunks.finish();
 }
 

@@ -200,6 +200,18 @@ TEST(Laz, RefusesWhatFollowsItsPoints) {
   }
 }
 
+// A record of GeoTIFF keys as it stands after the points.
+std::string later_keys() {
+  std::string out("\0\0LASF_Projection\0\xaf\x87\x08", 21);
+  out.resize(60);
+  return out + std::string("\x01\0\x01\0\0\0\0\0", 8);
+}
+
+TEST(Laz, RefusesAReferenceBehindItsPointsThatTheHeaderDoesNotCount) {
+  const std::string refused = refusal(file_of(3, 120).bytes() + later_keys());
+  EXPECT_NE(refused.find("its reference system stands after its points"), refused.npos) << refused;
+}
+
 // Where a file's points begin, with the place of its table of chunks.
 std::size_t data_of(const std::string& file) {
   std::uint32_t data = 0;
