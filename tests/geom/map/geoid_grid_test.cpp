@@ -19,10 +19,10 @@ void append(std::string& out, T value) {
   }
 }
 
-// Heights 10 + row + 100 * column, from 40 N 5 E in steps of a degree.
-std::string gtx(float first = 10) {
+// Heights 10 + row + 20 * column, from 40 N 5 E in steps of a degree or `step`.
+std::string gtx(float first = 10, double step = 1) {
   std::string out;
-  for (const double head : {40.0, 5.0, 1.0, 1.0}) append<double, std::uint64_t>(out, head);
+  for (const double head : {40.0, 5.0, step, step}) append<double, std::uint64_t>(out, head);
   for (const std::int32_t count : {3, 4}) append<std::int32_t, std::uint32_t>(out, count);
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 4; ++column) {
@@ -34,6 +34,8 @@ std::string gtx(float first = 10) {
   return out;
 }
 
+constexpr double kError = 1.2 * 16;  // m, of steps of a degree
+
 GeoidGrid grid_of(const std::string& bytes) { return read_geoid_grid(support::Text(bytes), "g"); }
 
 TEST(GeoidGrid, BoundsTheSlopesOverAnAreaWithItsError) {
@@ -41,9 +43,15 @@ TEST(GeoidGrid, BoundsTheSlopesOverAnAreaWithItsError) {
   EXPECT_EQ(grid.columns, 4U);
   const auto range = grid.over({40.5, 41.5, 5.25, 6.5});
   ASSERT_TRUE(range);
-  EXPECT_NEAR(range->least, 10 + 0.5 + 20 * 0.25 - 1.2, 0.001);
-  EXPECT_NEAR(range->most, 10 + 1.5 + 20 * 1.5 + 1.2, 0.001);
-  EXPECT_LT(range->least, 15.5 - 1.2);
+  EXPECT_NEAR(range->least, 10 + 0.5 + 20 * 0.25 - kError, 0.001);
+  EXPECT_NEAR(range->most, 10 + 1.5 + 20 * 1.5 + kError, 0.001);
+  EXPECT_LT(range->least, 15.5 - kError);
+}
+
+TEST(GeoidGrid, LongerStepsOfAGtxMayBeFurtherOff) {
+  EXPECT_EQ(grid_of(gtx(10, 0.125)).error, 1.2);
+  EXPECT_EQ(grid_of(gtx(10, 0.25)).error, 1.2);
+  EXPECT_NEAR(grid_of(gtx(10, 0.5)).error, 4.8, 1e-12);
 }
 
 TEST(GeoidGrid, APartOfItSaysTheSameOverItsArea) {
@@ -57,7 +65,7 @@ TEST(GeoidGrid, APartOfItSaysTheSameOverItsArea) {
   EXPECT_FALSE(part.over({40.5, 41.5, 5.25, 12}));
   EXPECT_THROW(gtx_over(grid, {39, 41, 5.25, 6.5}), InputError);
   GeoidGrid rough = grid;
-  rough.error = 2;
+  rough.error = kError + 1;
   EXPECT_THROW(gtx_over(rough, area), InputError) << "a .gtx does not say its error";
 }
 

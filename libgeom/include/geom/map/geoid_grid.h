@@ -47,8 +47,8 @@ struct GeoidGrid {
   std::optional<GeoidRange> over(const GeoidArea& area) const;
 };
 
-// A grid of PROJ (.gtx; its error is taken as 1.2 m, which is that of EGM96 by quarters of a
-// degree) or of GeographicLib (.pgm, which says its error). Throws InputError(source, …) for
+// A grid of PROJ (.gtx; its error is taken as 1.2 m, which is that of EGM96 by quarters of a degree,
+// and for longer steps as more by their square) or of GeographicLib (.pgm, which says its error). Throws InputError(source, …) for
 // anything else.
 GeoidGrid read_geoid_grid(std::istream& in, std::string_view source);
 
