@@ -158,8 +158,22 @@ double CloudPlace::upward_unit(const CoordinateReference& told, double plane,
                             .advice = "give --vertical-units m, ft or us-ft"});
 }
 
+// Local coordinates may count from anywhere; those of a reference system may not.
+void CloudPlace::require_whole(const CoordinateReference& file, const std::string& source) const {
+  if (file.moved.empty() || (options_.crs.empty() && (!file.scaled || options_.plane))) return;
+  throw InputError(
+      source,
+      {.expected = file.scaled ? "coordinates that are not scaled, or --units"
+                               : "coordinates that are not shifted, beside --crs",
+       .found = fmt::format("a comment that says how they are: \"{}\"", file.moved),
+       .advice = "write the file with its whole coordinates, in double precision; take the comment "
+                 "away if they are whole"});
+}
+
 void CloudPlace::settle(const CoordinateReference& file, const std::string& source) {
   source_ = source;
+  moved_ = file.moved;
+  require_whole(file, source);
   const CoordinateReference told = understood(file, source);
   const bool asked = origin_ || options_.origin_near_points;
   projects_ = asked && !told.crs.empty();
@@ -250,6 +264,9 @@ std::string CloudPlace::report() const {
   } else if (metres_ != Vec3::Ones()) {
     add(fmt::format("converted to metres from units of {} m, heights from units of {} m{}",
                     metres_.x(), metres_.z(), by));
+  }
+  if (!moved_.empty()) {
+    add(fmt::format("a comment says \"{}\", and the coordinates are taken as they stand", moved_));
   }
   if (up_assumed_ && metres_.z() != 1) {
     add("nothing says the unit of heights, and that of x and y is taken (--vertical-units says "

@@ -84,6 +84,7 @@ void PlyFile::read_header() {
     TextInput words(line);
     std::string key;
     words >> key;
+    if (key == "comment" || key == "obj_info") comments_.take(line.substr(key.size()));
     if (key == "comment" || key == "obj_info" || key.empty()) continue;
     if (key == "format") {
       std::string name;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geom/base/error.h"
+#include "moved_comment.h"
 #include "point_chunks.h"
 
 namespace geom {
@@ -58,6 +59,7 @@ class PlyFile {
   PlyFile(std::istream& in, std::string_view source);
 
   const std::vector<PlyElement>& elements() const { return elements_; }
+  const CoordinateReference& told() const { return comments_.told(); }
 
   // Calls f(row, number) for each of an element. Elements must be read in their order, each once.
   template <class F>
@@ -90,6 +92,7 @@ class PlyFile {
   std::size_t line_ = 0;
   Encoding encoding_ = Encoding::ascii;
   std::vector<PlyElement> elements_;
+  MovedComments comments_;
   PlyRow row_;
 };
 

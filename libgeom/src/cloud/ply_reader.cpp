@@ -21,10 +21,10 @@ void read_points(PlyFile& file, const PlyElement& element, PointChunks& chunks) 
   });
 }
 
-}  // namespace
-
-CloudCounts read_ply(std::istream& in, std::string_view source, const PointSink& sink) {
+CloudCounts read_ply_cloud(std::istream& in, std::string_view source, const PointSink& sink,
+                           const ReferenceSink& reference, const LasReading&) {
   PlyFile file(in, source);
+  if (reference) reference(file.told());
   PointChunks chunks(source, sink);
   bool points = false;
   Skipped skipped;
@@ -56,13 +56,13 @@ CloudCounts read_ply(std::istream& in, std::string_view source, const PointSink&
   return counts;
 }
 
-namespace {
+}  // namespace
 
-CloudCounts read_ply_cloud(std::istream& in, std::string_view source, const PointSink& sink,
-                           const ReferenceSink& reference, const LasReading&) {
-  if (reference) reference({});
-  return read_ply(in, source, sink);
+CloudCounts read_ply(std::istream& in, std::string_view source, const PointSink& sink) {
+  return read_ply_cloud(in, source, sink, {}, {});
 }
+
+namespace {
 
 constexpr std::string_view kReaders[] = {"skyway-cloud", "skyway-mesh"};
 

@@ -10,6 +10,7 @@
 #include "geom/text/excerpt.h"
 #include "geom/text/number.h"
 #include "geom/text/text_table.h"
+#include "moved_comment.h"
 #include "point_chunks.h"
 #include "xyz_header.h"
 
@@ -18,8 +19,9 @@ namespace {
 
 class XyzReader {
  public:
-  XyzReader(std::istream& in, std::string_view source, const PointSink& sink)
-      : lines_(in, source, true), chunks_(source, sink) {}
+  XyzReader(std::istream& in, std::string_view source, const PointSink& sink,
+            const ReferenceSink& reference)
+      : lines_(in, source, true), chunks_(source, sink), reference_(reference) {}
 
   CloudCounts read() {
     while (lines_.next()) {
@@ -48,6 +50,7 @@ class XyzReader {
 
   void take_comment(std::string_view line) {
     line.remove_prefix(std::min(line.find_first_not_of("#/ \t"), line.size()));
+    if (!begun_) comments_.take(line);
     if (const std::size_t colon = line.rfind(':'); colon != line.npos)
       line.remove_prefix(colon + 1);
     split_words(line);
@@ -95,6 +98,7 @@ class XyzReader {
 
   void begin(std::string_view line) {
     begun_ = true;
+    if (reference_) reference_(comments_.told());
     separator_ = separator_of(line);
     fields_of(separator_, line, fields_);
     width_ = fields_.size();
@@ -168,7 +172,9 @@ class XyzReader {
 
   TextLines lines_;
   PointChunks chunks_;
-  bool begun_ = false;  // with points
+  const ReferenceSink& reference_;
+  MovedComments comments_;  // before the first point
+  bool begun_ = false;      // with points
   char separator_ = ' ';
   std::size_t width_ = 0;  // columns of the first point
   std::optional<XyzColumns> columns_;
@@ -182,15 +188,15 @@ class XyzReader {
 }  // namespace
 
 CloudCounts read_xyz(std::istream& in, std::string_view source, const PointSink& sink) {
-  return XyzReader(in, source, sink).read();
+  const ReferenceSink nobody;
+  return XyzReader(in, source, sink, nobody).read();
 }
 
 namespace {
 
 CloudCounts read_xyz_cloud(std::istream& in, std::string_view source, const PointSink& sink,
                            const ReferenceSink& reference, const LasReading&) {
-  if (reference) reference({});
-  return read_xyz(in, source, sink);
+  return XyzReader(in, source, sink, reference).read();
 }
 
 // Three or four numbers, with blanks or commas between.

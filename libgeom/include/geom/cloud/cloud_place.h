@@ -53,7 +53,9 @@ class CloudPlace {
   // `crs` stands in place of what the file says, the others may add to it and not contradict it.
   // Throws InputError(source, …) where PROJ does not know `crs`, where that leaves a unit open,
   // where two of them disagree, and where the numbers are no metres on the ground and no origin is
-  // given to bring them there.
+  // given to bring them there. Throws, too, where the file says that its
+  // coordinates are shifted and `crs` says of which system they are, and where it says that they
+  // are scaled and no unit is given.
   void settle(const CoordinateReference& told, const std::string& source);
 
   bool settled_by_user() const { return options_.plane || !options_.crs.empty(); }
@@ -80,6 +82,7 @@ class CloudPlace {
 
  private:
   CoordinateReference understood(const CoordinateReference& told, const std::string& source);
+  void require_whole(const CoordinateReference& file, const std::string& source) const;
   double plane_unit(const CoordinateReference& told, const std::string& source) const;
   double upward_unit(const CoordinateReference& told, double plane,
                      const std::string& source) const;
@@ -98,6 +101,7 @@ class CloudPlace {
   bool plane_ = true;  // x and y of the file are lengths
   Frame frame_;
   std::string told_by_;
+  std::string moved_;     // a comment which says that coordinates are shifted or scaled
   std::string replaced_;  // what the file says, where --crs stands in its place
 };
 

@@ -31,6 +31,8 @@ struct CoordinateReference {
   bool depths = false;          // z counts downwards (only PROJ tells)
   std::optional<int> epsg;      // the code of x and y, where it is told
   std::string name;             // for messages
+  std::string moved;    // words of the file which say that its coordinates are shifted or scaled
+  bool scaled = false;  // the latter
 
   friend bool operator==(const CoordinateReference&, const CoordinateReference&) = default;
 };
