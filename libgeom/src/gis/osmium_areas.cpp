@@ -59,12 +59,63 @@ class OutlinesWithin : public osmium::area::ProblemReporter {
   std::set<osmium::object_id_type> relations_;
 };
 
+// Edges of ways that stand in a multipolygon of a building without a role: nobody says that they go
+// around a hole.
+class EdgesWithoutRole : public osmium::handler::Handler {
+ public:
+  // Where each relation comes before the ways; a manager for osmium::relations::read_relations().
+  void relation(const osmium::Relation& relation) {
+    const OsmTags tags = tags_of(relation);
+    if (!is_area(tags) || !is_built(tags)) return;
+    for (const osmium::RelationMember& member : relation.members()) {
+      const bool way = member.type() == osmium::item_type::way;
+      if (way && *member.role() == '\0') relations_of_[member.ref()].push_back(relation.id());
+    }
+  }
+  void prepare_for_lookup() {}
+
+  // Once it has the locations of its nodes.
+  void way(const osmium::Way& way) {
+    const auto at = relations_of_.find(way.id());
+    if (at == relations_of_.end()) return;
+    for (const osmium::object_id_type relation : at->second) {
+      for_each_edge(way.nodes(), [&](const Edge& edge) { edges_[relation].insert(edge); });
+    }
+  }
+
+  bool touch(osmium::object_id_type relation, const osmium::NodeRefList& ring) const {
+    const auto at = edges_.find(relation);
+    bool out = false;
+    if (at != edges_.end()) {
+      for_each_edge(ring, [&](const Edge& edge) { out |= at->second.contains(edge); });
+    }
+    return out;
+  }
+
+ private:
+  using Edge = std::pair<osmium::Location, osmium::Location>;
+
+  template <class F>
+  static void for_each_edge(const osmium::NodeRefList& nodes, const F& f) {
+    for (std::size_t i = 1; i < nodes.size(); ++i) {
+      f(std::minmax<osmium::Location>({nodes[i - 1].location(), nodes[i].location()}));
+    }
+  }
+
+  std::map<osmium::object_id_type, std::vector<osmium::object_id_type>> relations_of_;
+  std::map<osmium::object_id_type, std::set<Edge>> edges_;
+};
+
 // Ways as they are, so that one that crosses itself is there too; relations as osmium assembles
 // them, and what it cannot assemble by number.
 class BuildingHandler : public osmium::handler::Handler {
  public:
-  BuildingHandler(const ReadOptions& options, const OutlinesWithin& outlines_within, Source& out)
-      : options_(options), outlines_within_(outlines_within), out_(out) {}
+  BuildingHandler(const ReadOptions& options, const OutlinesWithin& outlines_within,
+                  const EdgesWithoutRole& edges_without_role, Source& out)
+      : options_(options),
+        outlines_within_(outlines_within),
+        edges_without_role_(edges_without_role),
+        out_(out) {}
 
   void node(const osmium::Node& node) {
     if (node.tags().empty()) return;
@@ -122,16 +173,20 @@ class BuildingHandler : public osmium::handler::Handler {
   void area(const osmium::Area& area) {
     if (area.from_way() || !is_built(tags_of(area)) || !is_named(tags_of(area))) return;
     std::vector<Footprint> parts;
-    const bool solid = outlines_within_.contains(area.orig_id());
-    if (solid) ++out_.counts["multipolygons_without_their_holes"];
+    bool filled = false;
     for (const osmium::OuterRing& outer : area.outer_rings()) {
       Footprint& f = parts.emplace_back();
       f.polygon.outer = points_of(outer);
       for (const osmium::InnerRing& inner : area.inner_rings(outer)) {
-        if (!solid) f.polygon.holes.push_back(points_of(inner));
+        if (is_hole(area, inner)) {
+          f.polygon.holes.push_back(points_of(inner));
+        } else {
+          filled = true;
+        }
       }
     }
     if (parts.empty()) return;
+    if (filled) ++out_.counts["multipolygons_without_their_holes"];
     assembled_.insert(area.orig_id());
     const BuildingHeight height = count(area);
     for (Footprint& f : parts) push(area, area.id(), height, std::move(f));
@@ -151,6 +206,12 @@ class BuildingHandler : public osmium::handler::Handler {
     const std::vector<std::string>& types = options_.types;
     return types.empty() ||
            std::find(types.begin(), types.end(), type_of_built(tags)) != types.end();
+  }
+
+  // Whether the roles say so: osmium goes by the places of rings alone.
+  bool is_hole(const osmium::Area& area, const osmium::InnerRing& ring) const {
+    return !outlines_within_.contains(area.orig_id()) &&
+           !edges_without_role_.touch(area.orig_id(), ring);
   }
 
   // Whether it is to be built, by its type; counts what is not. Asked once of each object.
@@ -214,6 +275,7 @@ class BuildingHandler : public osmium::handler::Handler {
 
   const ReadOptions& options_;
   const OutlinesWithin& outlines_within_;
+  const EdgesWithoutRole& edges_without_role_;
   Source& out_;
   std::set<osmium::object_id_type> assembled_;
   std::map<std::string, std::size_t> types_;
@@ -382,13 +444,14 @@ Source read_buildings(const osmium::io::File& file, const std::string& name,
   config.problem_reporter = &outlines_within;
   config.check_roles = true;
   osmium::area::MultipolygonManager<osmium::area::Assembler> manager(config);
-  osmium::relations::read_relations(file, manager);
+  EdgesWithoutRole edges_without_role;
+  osmium::relations::read_relations(file, manager, edges_without_role);
   Index index;
   Index index_of_new;  // nodes that an editor has made and no server numbered: negative ids
   Locations locations(index, index_of_new);
   locations.ignore_errors();  // a node that is not in the extract: skipped with its way
-  BuildingHandler buildings(options, outlines_within, out);
-  each(locations, buildings,
+  BuildingHandler buildings(options, outlines_within, edges_without_role, out);
+  each(locations, edges_without_role, buildings,
        manager.handler([&](osmium::memory::Buffer&& buffer) { osmium::apply(buffer, buildings); }));
   add_hulls(file, locations, buildings, out);
   require_types(buildings.types(), options, name);
