@@ -25,9 +25,9 @@ struct Words {
 };
 
 // Of these keys every value is an obstacle but what is flat.
-constexpr std::array<std::string_view, 9> kObstacles{"man_made", "power",      "aerialway",
-                                                     "bridge",   "tower:type", "telecom",
-                                                     "historic", "attraction", "electrified"};
+constexpr std::array<std::string_view, 11> kObstacles{
+    "man_made", "power",      "aerialway",   "bridge",         "tower:type", "telecom",
+    "historic", "attraction", "electrified", "bridge:support", "airmark"};
 
 constexpr std::array kFlat{Words{"man_made",
                                  {"clearcut", "courtyard", "cutline", "geoglyph", "manhole", "pier",
@@ -43,20 +43,40 @@ constexpr std::array kOthers{
     Words{"natural", {"tree", "tree_row", "tree_group", "wood", "arch", "rock", "stone"}},
     Words{"landuse", {"forest", "orchard"}},
     Words{"landcover", {"trees"}},
-    Words{"highway", {"street_lamp", "gantry"}},
-    Words{"railway", {"monorail", "signal", "signal_box", "gantry", "catenary_mast"}},
-    Words{"aeroway", {"hangar", "terminal", "control_tower", "tower", "navigationaid", "windsock"}},
+    Words{"highway",
+          {"street_lamp", "gantry", "toll_gantry", "traffic_signals", "speed_camera", "elevator"}},
+    Words{"railway",
+          {"monorail", "signal", "signal_box", "gantry", "catenary_mast", "water_tower",
+           "water_crane", "coaling_facility"}},
+    Words{"aeroway",
+          {"hangar", "terminal", "control_tower", "tower", "navigationaid", "windsock",
+           "jet_bridge", "launchpad", "launch_complex", "beacon"}},
     Words{"parking", {"multi-storey"}},
     Words{"roller_coaster", {"track", "support", "station"}},
-    Words{"waterway", {"dam"}},
-    Words{"military", {"bunker"}},
-    Words{"leisure", {"bandstand", "bleachers"}},
-    Words{"amenity", {"shelter"}},
+    Words{"waterway", {"dam", "lock_gate", "sluice_gate", "boat_lift"}},
+    Words{"military", {"bunker", "launchpad"}},
+    Words{"leisure",
+          {"bandstand", "bleachers", "stadium", "grandstand", "ski_jump", "sports_hall",
+           "bird_hide", "wildlife_hide", "high_ropes_course"}},
+    Words{"piste:type", {"ski_jump"}},
+    Words{"playground", {"structure", "slide", "climbingframe", "zipwire", "aerialrotator"}},
+    Words{"amenity", {"shelter", "hunting_stand", "clock", "fountain", "grandstand"}},
+    Words{"lifeguard", {"tower"}},
+    Words{"emergency", {"siren", "lifeguard_tower", "fire_lookout"}},
     Words{"barrier",
           {"wall", "city_wall", "fence", "hedge", "retaining_wall", "height_restrictor",
-           "toll_booth", "lift_gate"}},
+           "toll_booth", "lift_gate", "border_control"}},
     Words{"tourism", {"artwork"}},
-    Words{"advertising", {"billboard", "column", "screen", "totem", "sculpture"}},
+    Words{"advertising", {"billboard", "column", "screen", "totem", "sculpture", "sign", "flag"}},
+    Words{"seamark:type",
+          {"landmark", "platform", "pile", "bridge", "cable_overhead", "pipeline_overhead", "light",
+           "light_major", "light_minor", "light_vessel", "light_float", "daymark", "radar_station",
+           "radio_station", "signal_station_traffic", "signal_station_warning"}},
+    Words{"seamark:type",
+          {"beacon_lateral", "beacon_cardinal", "beacon_isolated_danger", "beacon_safe_water",
+           "beacon_special_purpose", "buoy_lateral", "buoy_cardinal", "buoy_isolated_danger",
+           "buoy_safe_water", "buoy_special_purpose", "buoy_installation", "hulk", "gate", "crane",
+           "tower", "wreck"}},
     Words{"generator:source", {"wind"}}};
 
 // What stands on an area, beside buildings.

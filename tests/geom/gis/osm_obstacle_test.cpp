@@ -19,7 +19,7 @@ std::string kind(const Pairs& pairs) { return other_obstacle(tags(pairs)).value_
 
 TEST(OsmObstacle, IsEveryValueThatIsNotKnownToBeFlat) {
   for (const char* key : {"man_made", "power", "aerialway", "bridge", "tower:type", "telecom",
-                          "historic", "attraction", "electrified"}) {
+                          "historic", "attraction", "electrified", "bridge:support", "airmark"}) {
     EXPECT_EQ(kind({{key, "what nobody has listed"}}),
               std::string(key) + "=what nobody has listed");
     EXPECT_EQ(kind({{key, "no"}}), "nothing");
@@ -42,11 +42,22 @@ TEST(OsmObstacle, IsWhatIsNoBuildingByItsTags) {
                                         {"railway", "signal"},
                                         {"roller_coaster", "track"},
                                         {"waterway", "dam"},
-                                        {"amenity", "shelter"}}) {
+                                        {"amenity", "shelter"},
+                                        {"amenity", "hunting_stand"},
+                                        {"aeroway", "jet_bridge"},
+                                        {"seamark:type", "landmark"},
+                                        {"seamark:type", "beacon_lateral"},
+                                        {"piste:type", "ski_jump"},
+                                        {"leisure", "stadium"},
+                                        {"leisure", "grandstand"},
+                                        {"highway", "traffic_signals"},
+                                        {"lifeguard", "tower"}}) {
     EXPECT_EQ(kind({{key, value}}), key + "=" + value);
   }
   EXPECT_EQ(kind({{"aeroway", "runway"}}), "nothing");
   EXPECT_EQ(kind({{"railway", "rail"}}), "nothing");
+  EXPECT_EQ(kind({{"seamark:type", "cable_submarine"}}), "nothing");
+  EXPECT_EQ(kind({{"piste:type", "nordic"}}), "nothing");
 }
 
 TEST(OsmObstacle, IsWhatHasAHeight) {
