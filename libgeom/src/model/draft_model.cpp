@@ -36,6 +36,11 @@ void tell_assumed(const ModelSource& source, const ModelDraftOptions& options,
   if (!assumed.empty()) {
     notes.remark(name + ": the file does not say so, and it is taken that " + assumed);
   }
+  const double told = source.model.unit.value_or(1);
+  if (!options.unit && told != 1) {
+    notes.remark(
+        fmt::format("{}: converted to metres from units of {} m, as the file says", name, told));
+  }
   if (source.tiles) {
     notes.remark(name + ": the tiles are not on Earth: x is taken as east, y as north");
   }

@@ -9,6 +9,7 @@
 #include "geom/model/model_polygons.h"
 #include "geom/text/excerpt.h"
 #include "geom/text/text_table.h"
+#include "unit_comment.h"
 
 // Wavefront's Advanced Visualizer Manual, appendix B: the polygons of it.
 
@@ -22,12 +23,13 @@ constexpr std::string_view kIdle[] = {"vt",       "vn",       "vp",     "s",    
 
 class ObjReader {
  public:
-  ObjReader(std::istream& in, std::string_view source) : lines_(in, source) {}
+  ObjReader(std::istream& in, std::string_view source) : lines_(in, source, true) {}
 
   Model read() {
     std::string whole;
     while (lines_.next()) {
       std::string_view line = lines_.line();
+      if (line.starts_with('#')) take_comment(line);
       line = line.substr(0, line.find('#'));  // a comment goes to the end of its line, "\" or not
       if (line.ends_with('\\')) {
         require_numbers(whole.empty() ? line : whole);
@@ -60,6 +62,15 @@ class ObjReader {
     }
     lines_.refuse(
         {.expected = "a line of numbers before \"\\\"", .found = in_quotes(excerpt(line, 40))});
+  }
+
+  void take_comment(std::string_view line) {
+    const auto unit = unit_of_comment(line);
+    if (unit && model_.unit && *unit != *model_.unit) {
+      lines_.refuse({.expected = "the unit that a comment before names",
+                     .found = in_quotes(excerpt(line, 40))});
+    }
+    if (unit) model_.unit = unit;
   }
 
   void add(std::string_view line) {

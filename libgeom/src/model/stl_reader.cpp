@@ -13,12 +13,14 @@
 #include "geom/text/beginning.h"
 #include "geom/text/excerpt.h"
 #include "geom/text/text_table.h"
+#include "unit_comment.h"
 
 // 3D Systems' StereoLithography Interface Specification (1989).
 
 namespace geom {
 namespace {
 
+constexpr std::size_t kText = 80;
 constexpr std::size_t kHead = 84;
 constexpr std::size_t kFacet = 50;
 
@@ -40,6 +42,7 @@ void add_triangle(Model& model, const std::array<Vec3, 3>& corners) {
 Model read_binary(std::string_view bytes, std::string_view source) {
   Model model;
   model.parts = {""};
+  model.unit = unit_of_comment(bytes.substr(0, kText));
   const auto count = value_at<std::uint32_t>(bytes, 80);
   model.mesh.triangles.reserve(count);
   model.mesh.vertices.reserve(3 * static_cast<std::size_t>(count));
@@ -117,6 +120,12 @@ class StlText {
   void begin_solid() {
     if (open_) refuse("facet or endsolid");
     open_ = true;
+    const auto unit = unit_of_comment(lines_.line());
+    if (!model_.parts.empty() && unit != model_.unit) {
+      lines_.refuse(
+          {.expected = "solids of one unit", .found = in_quotes(excerpt(lines_.line(), 40))});
+    }
+    model_.unit = unit;
     model_.parts.emplace_back(trimmed(lines_.line().substr(5)));
   }
 

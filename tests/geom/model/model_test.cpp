@@ -70,6 +70,14 @@ TEST(ReadObj, MakesTrianglesOfFacesAndPartsOfObjects) {
   EXPECT_FALSE(model.up || model.unit);
 }
 
+TEST(ReadObj, ObeysTheUnitOfAComment) {
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  EXPECT_FALSE(obj(triangle).unit);
+  EXPECT_EQ(obj("# File units = inches\n" + triangle).unit, 0.0254);
+  expect_refusal(obj, "# units: m\n# units: mm\n" + triangle,
+                 "a.obj:2: expected the unit that a comment before names");
+}
+
 TEST(ReadObj, RefusesACarriageReturnAlone) {
   expect_refusal(obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\n# a wall\rf 1 2 3\n", "a.obj:4: expected lines");
 }
@@ -203,6 +211,9 @@ TEST(ReadStl, ReadsTextSolidBySolid) {
   EXPECT_EQ(model.mesh.triangles.size(), 3u);
   EXPECT_EQ(model.parts, (std::vector<std::string>{"a", "b c"}));
   EXPECT_EQ(model.mesh.triangles[2].part, 1u);
+  EXPECT_FALSE(model.unit);
+  EXPECT_EQ(stl("solid a UNITS=mm\n" + facet + "endsolid\n").unit, 1e-3);
+  expect_refusal(stl, "solid a\nendsolid\nsolid b units=mm\nendsolid\n", "expected solids of one");
   expect_refusal(stl, "solid a\n" + facet, "expected endsolid");
   expect_refusal(stl, "facet normal 0 0 1\n", "expected solid");
   expect_refusal(stl, "solid a\nfacet\nouter loop\nvertex 0 0 0\nendloop\n", "expected vertex");
