@@ -53,9 +53,9 @@ class CloudPlace {
   // `crs` stands in place of what the file says, the others may add to it and not contradict it.
   // Throws InputError(source, …) where PROJ does not know `crs`, where that leaves a unit open,
   // where two of them disagree, and where the numbers are no metres on the ground and no origin is
-  // given to bring them there. Throws, too, where the file says that its
-  // coordinates are shifted and `crs` says of which system they are, and where it says that they
-  // are scaled and no unit is given.
+  // given to bring them there. Throws, too, where the file says that its coordinates are shifted and
+  // `crs` says of which system they are, and where it says that they are scaled and no unit is
+  // given.
   void settle(const CoordinateReference& told, const std::string& source);
 
   bool settled_by_user() const { return options_.plane || !options_.crs.empty(); }
