@@ -50,6 +50,7 @@ GdalLibrary load() {
           .raster_band = SKYWAY_FUNCTION(library, GDALGetRasterBand),
           .raster_io = SKYWAY_FUNCTION(library, GDALRasterIO),
           .coverage = SKYWAY_FUNCTION(library, GDALGetDataCoverageStatus),
+          .block_size = SKYWAY_FUNCTION(library, GDALGetBlockSize),
           .mask_flags = SKYWAY_FUNCTION(library, GDALGetMaskFlags),
           .mask_of = SKYWAY_FUNCTION(library, GDALGetMaskBand),
           .colour_meaning = SKYWAY_FUNCTION(library, GDALGetRasterColorInterpretation),

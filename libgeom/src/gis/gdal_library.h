@@ -51,6 +51,7 @@ struct GdalLibrary {
   decltype(&GDALGetRasterBand) raster_band;
   decltype(&GDALRasterIO) raster_io;
   decltype(&GDALGetDataCoverageStatus) coverage;
+  decltype(&GDALGetBlockSize) block_size;
   decltype(&GDALGetMaskFlags) mask_flags;
   decltype(&GDALGetMaskBand) mask_of;
   decltype(&GDALGetRasterColorInterpretation) colour_meaning;

@@ -6,7 +6,8 @@
 #include <set>
 #include <string_view>
 
-#include "gdal_cells.h"
+#include "gdal_gaps.h"
+#include "gdal_mosaic.h"
 #include "geom/text/counted.h"
 #include "geom/text/text_table.h"
 
@@ -40,46 +41,6 @@ void require_one_picture(const DatasetHandle& dataset, const std::string& name) 
                        "NAME out.tif` writes one"});
 }
 
-[[noreturn]] void refuse_gaps(const std::string& name, std::string_view found, const char* advice) {
-  throw InputError(name, {.expected = "a value that stands for no number",
-                          .found = fmt::format("none, in {}: gaps would count as 0", found),
-                          .advice = advice});
-}
-
-// What GDAL can tell of the parts of a band: whether there are numbers, and whether there are none.
-int coverage_of(const DatasetHandle& dataset, GDALRasterBandH band) {
-  return gdal().coverage(band, 0, 0, gdal().raster_width(dataset.get()),
-                         gdal().raster_height(dataset.get()), 0, nullptr);
-}
-
-// Where a part of a file or of a mosaic is missing, GDAL gives the value for none, or else 0.
-void require_no_gaps_in_bands(const DatasetHandle& dataset, std::string_view driver,
-                              const std::string& name) {
-  const int bands = gdal().raster_count(dataset.get());
-  if (number_bands(dataset) < bands) return;  // one of opacity is 0 in gaps
-  for (int i = 1; i <= bands; ++i) {
-    const GDALRasterBandH band = gdal().raster_band(dataset.get(), i);
-    if (gdal().mask_flags(band) != GMF_ALL_VALID) continue;
-    if (driver == "GPKG") {
-      refuse_gaps(name, "a GeoPackage, which may lack tiles",
-                  "if it has all of them, write it as GeoTIFF with `gdal_translate`");
-    }
-    const int covered = coverage_of(dataset, band);
-    if (driver == "VRT" && (covered & GDAL_DATA_COVERAGE_STATUS_UNIMPLEMENTED)) {
-      refuse_gaps(name, "a mosaic that is turned or warped",
-                  "make it anew with `gdalwarp -dstnodata -9999`");
-    }
-    if (driver == "VRT" && (covered & GDAL_DATA_COVERAGE_STATUS_EMPTY)) {
-      refuse_gaps(name, "a mosaic with gaps", "make it anew with `gdalbuildvrt -vrtnodata -9999`");
-    }
-    if (driver == "GTiff" && (covered & GDAL_DATA_COVERAGE_STATUS_EMPTY)) {
-      refuse_gaps(name, "a TIFF without some of its parts",
-                  "its writing or copying may have broken off: get it again; if its numbers are 0 "
-                  "there, write it whole with `gdal_translate`");
-    }
-  }
-}
-
 bool is_picture_of_its_own(const std::string& file) {
   return !EQUAL(gdal().extension_of(file.c_str()), "ovr") &&
          !EQUAL(gdal().extension_of(file.c_str()), "msk");
@@ -89,8 +50,9 @@ bool is_picture_of_its_own(const std::string& file) {
 void require_no_gaps(const DatasetHandle& dataset, const std::string& path, const std::string& name,
                      std::set<std::string>& seen) {
   const std::string_view driver = gdal().driver_name(gdal().driver_of(dataset.get()));
-  require_no_gaps_in_bands(dataset, driver, name);
+  require_no_gaps_in_bands(dataset, name);
   if (driver != "VRT" || !seen.insert(path).second) return;
+  require_whole_mosaic(dataset, path, name);
   const ListHandle files(gdal().files_of(dataset.get()));
   for (char** file = files.get(); file && *file; ++file) {
     if (path == *file || !is_picture_of_its_own(*file)) continue;

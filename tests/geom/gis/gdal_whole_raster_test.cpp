@@ -87,6 +87,51 @@ TEST(RequireWholeRaster, RefusesAMosaicOfOneWithGaps) {
   EXPECT_EQ(raster_refusal(whole.path()), "");
 }
 
+// A mosaic of 4 x 4 cells of the raster at `path`: the head of its band, and its source.
+std::string plain_mosaic(const std::string& path, const std::string& type, const std::string& more,
+                         const std::string& source, const std::string& in_source) {
+  return fmt::format(
+      "<VRTDataset rasterXSize=\"4\" rasterYSize=\"4\"><GeoTransform>500000, 5, 0, 5500020, 0, -5"
+      "</GeoTransform><VRTRasterBand dataType=\"{1}\" band=\"1\">{2}<{3}><SourceFilename>{0}"
+      "</SourceFilename><SourceBand>1</SourceBand>{4}</{3}></VRTRasterBand></VRTDataset>",
+      path, type, more, source, in_source);
+}
+
+TEST(RequireWholeRaster, RefusesAMosaicThatGivesHolesNumbers) {
+  const MemoryRaster raster({.cell = [](int, int) { return 7.0; }},
+                            [](GDALDataset& made) { made.GetRasterBand(1)->SetNoDataValue(-50); });
+  const auto refusal = [&](const std::string& more, const std::string& source,
+                           const std::string& in_source) {
+    const MemoryFile file("m.vrt", plain_mosaic(raster.path(), "Float32", more, source, in_source));
+    return raster_refusal(file.path());
+  };
+  const std::string none = "<NoDataValue>-9999</NoDataValue>";
+  EXPECT_TRUE(says(refusal("", "SimpleSource", ""), "cells without a number have none"));
+  EXPECT_TRUE(says(refusal("", "ComplexSource", "<NODATA>-50</NODATA>"), "have none"));
+  EXPECT_TRUE(says(refusal(none, "SimpleSource", ""), "have none"));
+  EXPECT_EQ(refusal(none, "ComplexSource", "<NODATA>-50</NODATA>"), "");
+  EXPECT_EQ(refusal("<NoDataValue>-50</NoDataValue>", "SimpleSource", ""), "");
+}
+
+TEST(RequireWholeRaster, RefusesAMosaicOfNarrowerNumbersOrLargerCells) {
+  const MemoryRaster raster({.cell = [](int, int) { return 300.5; }});
+  const auto refusal = [&](const std::string& type, const std::string& in_source) {
+    const MemoryFile file("m.vrt",
+                          plain_mosaic(raster.path(), type, "", "SimpleSource", in_source));
+    return raster_refusal(file.path());
+  };
+  EXPECT_EQ(refusal("Float64", ""), "");
+  EXPECT_TRUE(says(refusal("Byte", ""), "a narrower one"));
+  EXPECT_TRUE(says(refusal("Int32", ""), "a narrower one"));
+  const MemoryRaster fine({.columns = 8, .rows = 8, .cell = [](int, int) { return 3.0; }});
+  const MemoryFile coarse(
+      "m.vrt",
+      plain_mosaic(fine.path(), "Float32", "", "SimpleSource",
+                   "<SrcRect xOff=\"0\" yOff=\"0\" xSize=\"8\" ySize=\"8\"/><DstRect xOff=\"0\" "
+                   "yOff=\"0\" xSize=\"4\" ySize=\"4\"/>"));
+  EXPECT_TRUE(says(raster_refusal(coarse.path()), "larger ones, of which GDAL leaves out"));
+}
+
 // What a warped mosaic covers, GDAL does not tell.
 TEST(RequireWholeRaster, RefusesAWarpedMosaicWithoutAValueForNone) {
   const MemoryRaster raster({.cell = [](int, int) { return 7.0; }});
@@ -129,6 +174,65 @@ TEST(RequireWholeRaster, RefusesATiffWithoutSomeOfItsRows) {
   };
   EXPECT_TRUE(says(sparse(0), "found none, in a TIFF without some of its parts"));
   EXPECT_EQ(sparse(-9999), "");
+}
+
+// Of two strips of 4 rows, `heights` and `mask` say which are written, with 7 and with 255.
+std::string refusal_of_masked(bool heights, bool mask) {
+  GDALAllRegister();
+  CPLSetThreadLocalConfigOption("GDAL_TIFF_INTERNAL_MASK", "YES");
+  const MemoryFile file("masked.tif", "");
+  char option[] = "SPARSE_OK=TRUE";
+  char size[] = "BLOCKYSIZE=4";
+  char* options[] = {option, size, nullptr};
+  GDALDriver& driver = *GetGDALDriverManager()->GetDriverByName("GTiff");
+  GDALDataset* const made = driver.Create(file.path().c_str(), 4, 8, 1, GDT_Float32, options);
+  double transform[] = {500000, 5, 0, 5500020, 0, -5};
+  made->SetGeoTransform(transform);
+  made->CreateMaskBand(GMF_PER_DATASET);
+  const auto write = [](GDALRasterBand& band, double value, bool all) {
+    const int rows = all ? 8 : 4;
+    std::vector<double> numbers(32, value);
+    EXPECT_EQ(
+        band.RasterIO(GF_Write, 0, 0, 4, rows, numbers.data(), 4, rows, GDT_Float64, 0, 0, nullptr),
+        CE_None);
+  };
+  write(*made->GetRasterBand(1), 7, heights);
+  write(*made->GetRasterBand(1)->GetMaskBand(), 255, mask);
+  GDALClose(made);
+  CPLSetThreadLocalConfigOption("GDAL_TIFF_INTERNAL_MASK", nullptr);
+  return raster_refusal(file.path());
+}
+
+TEST(RequireWholeRaster, RefusesPartsThatAreMissingAndNotMasked) {
+  EXPECT_EQ(refusal_of_masked(true, true), "");
+  EXPECT_EQ(refusal_of_masked(false, false), "");
+  EXPECT_EQ(refusal_of_masked(true, false), "");
+  EXPECT_TRUE(says(refusal_of_masked(false, true),
+                   "a TIFF without some of its parts, which its mask does not exclude"));
+}
+
+// GDAL gives 0 for parts of an Erdas image that were never written.
+TEST(RequireWholeRaster, RefusesAnErdasImageWithoutSomeOfItsParts) {
+  GDALAllRegister();
+  const auto refusal = [](int rows, bool none) {
+    const MemoryFile file("part.img", "");
+    char option[] = "COMPRESSED=YES";
+    char* options[] = {option, nullptr};
+    GDALDriver& driver = *GetGDALDriverManager()->GetDriverByName("HFA");
+    GDALDataset* const made = driver.Create(file.path().c_str(), 64, 128, 1, GDT_Float32, options);
+    double transform[] = {500000, 5, 0, 5500020, 0, -5};
+    made->SetGeoTransform(transform);
+    if (none) made->GetRasterBand(1)->SetNoDataValue(-9999);
+    std::vector<double> numbers(64 * 128, 7.0);
+    EXPECT_EQ(made->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, 64, rows, numbers.data(), 64, rows,
+                                               GDT_Float64, 0, 0, nullptr),
+              CE_None);
+    GDALClose(made);
+    return raster_refusal(file.path());
+  };
+  EXPECT_EQ(refusal(128, false), "");
+  EXPECT_TRUE(says(refusal(64, false), "an Erdas image with a part of 0 alone"));
+  EXPECT_EQ(refusal(64, true), "");
 }
 
 // GDAL gives 0 for the point that is not there.
