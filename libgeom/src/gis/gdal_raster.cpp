@@ -101,8 +101,11 @@ double metres_per(const std::string& unit, const std::string& name) {
                                                       {"dm", 0.1},
                                                       {"us-ft", 1200.0 / 3937},
                                                       {"ftUS", 1200.0 / 3937},
+                                                      {"us survey feet", 1200.0 / 3937},
                                                       {"US survey foot", 1200.0 / 3937}};
-  const auto at = known.find(unit);
+  const auto at = std::find_if(known.begin(), known.end(), [&](const auto& one) {
+    return EQUAL(one.first.c_str(), unit.c_str());
+  });
   if (at == known.end()) {
     throw InputError(name, {.expected = "heights in metres or feet",
                             .found = fmt::format("the unit \"{}\"", unit)});

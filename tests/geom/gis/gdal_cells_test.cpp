@@ -165,6 +165,17 @@ TEST(ReadRaster, RefusesFeetThatOnlyThePrjTells) {
   EXPECT_DOUBLE_EQ(read_raster(grid.path(), "r.asc", options).footprints.front().bottom, 3.048);
 }
 
+TEST(ReadRaster, KnowsUnitsInCapitalsAndSmallLetters) {
+  for (const char* unit : {"Feet", "FEET", "foot"}) {
+    const MemoryRaster raster({.cell = [](int, int) { return 10.0; }},
+                              [&](GDALDataset& made) { made.GetRasterBand(1)->SetUnitType(unit); });
+    ReadOptions options;
+    options.height_step = 0;
+    EXPECT_DOUBLE_EQ(read_raster(raster.path(), "r.tif", options).footprints.front().top, 3.048)
+        << unit;
+  }
+}
+
 TEST(ReadRaster, RefusesDepths) {
   const MemoryRaster raster({}, [](GDALDataset& made) {
     OGRSpatialReference depths;
