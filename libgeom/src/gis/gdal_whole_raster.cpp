@@ -41,6 +41,21 @@ void require_one_picture(const DatasetHandle& dataset, const std::string& name) 
                        "NAME out.tif` writes one"});
 }
 
+// Compression made for pictures changes heights by many metres.
+void require_exact_numbers(const DatasetHandle& dataset, const std::string& name) {
+  char** const entries = gdal().metadata(dataset.get(), "IMAGE_STRUCTURE");
+  for (char** entry = entries; entry && *entry; ++entry) {
+    const std::string_view text = *entry;
+    const bool compression = text.starts_with("COMPRESSION");
+    if (!compression || (text.find("JPEG") == text.npos && text.find("LOSSY") == text.npos)) {
+      continue;
+    }
+    throw InputError(name, {.expected = "numbers that compression does not change",
+                            .found = std::string(text),
+                            .advice = "get the heights as they were before, from whoever made it"});
+  }
+}
+
 bool is_picture_of_its_own(const std::string& file) {
   return !EQUAL(gdal().extension_of(file.c_str()), "ovr") &&
          !EQUAL(gdal().extension_of(file.c_str()), "msk");
@@ -50,6 +65,7 @@ bool is_picture_of_its_own(const std::string& file) {
 void require_no_gaps(const DatasetHandle& dataset, const std::string& path, const std::string& name,
                      std::set<std::string>& seen) {
   const std::string_view driver = gdal().driver_name(gdal().driver_of(dataset.get()));
+  require_exact_numbers(dataset, name);
   require_no_gaps_in_bands(dataset, name);
   if (driver != "VRT" || !seen.insert(path).second) return;
   require_whole_mosaic(dataset, path, name);

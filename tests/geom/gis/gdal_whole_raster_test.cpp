@@ -132,6 +132,20 @@ TEST(RequireWholeRaster, RefusesAMosaicOfNarrowerNumbersOrLargerCells) {
   EXPECT_TRUE(says(raster_refusal(coarse.path()), "larger ones, of which GDAL leaves out"));
 }
 
+TEST(RequireWholeRaster, RefusesNumbersThatAPicturesCompressionChanges) {
+  GDALAllRegister();
+  const MemoryFile file("jpeg.tif", "");
+  char option[] = "COMPRESS=JPEG";
+  char* options[] = {option, nullptr};
+  GDALDriver& driver = *GetGDALDriverManager()->GetDriverByName("GTiff");
+  GDALDataset* const made = driver.Create(file.path().c_str(), 16, 16, 1, GDT_Byte, options);
+  double transform[] = {500000, 5, 0, 5500020, 0, -5};
+  made->SetGeoTransform(transform);
+  MemoryRaster::fill(*made->GetRasterBand(1), [](int, int) { return 7; });
+  GDALClose(made);
+  EXPECT_TRUE(says(raster_refusal(file.path()), "found COMPRESSION=JPEG"));
+}
+
 // What a warped mosaic covers, GDAL does not tell.
 TEST(RequireWholeRaster, RefusesAWarpedMosaicWithoutAValueForNone) {
   const MemoryRaster raster({.cell = [](int, int) { return 7.0; }});
