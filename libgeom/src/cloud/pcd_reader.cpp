@@ -12,6 +12,7 @@
 #include "geom/text/beginning.h"
 #include "geom/text/counted.h"
 #include "geom/text/text_table.h"
+#include "moved_comment.h"
 #include "point_chunks.h"
 
 // The Point Cloud Library's PCD 0.7.
@@ -44,8 +45,9 @@ class PcdReader {
   PcdReader(std::istream& in, std::string_view source, const PointSink& sink)
       : in_(in), source_(source), chunks_(source, sink) {}
 
-  CloudCounts read() {
+  CloudCounts read(const ReferenceSink& reference) {
     const std::string data = read_header();
+    if (reference) reference(comments_.told());
     if (data == "ascii") {
       read_ascii();
     } else if (data == "binary") {
@@ -79,7 +81,11 @@ class PcdReader {
       std::string key;
       words >> key;
       if (key == "COLUMNS") key = "FIELDS";
-      if (!key.empty() && key[0] != '#' && !seen.insert(key).second) {
+      if (key.starts_with('#')) {
+        comments_.take(trimmed(trimmed(text).substr(1)));
+        continue;
+      }
+      if (!key.empty() && !seen.insert(key).second) {
         refuse({.expected = fmt::format("{} once", key.substr(0, 40)), .found = "it again"});
       }
       const std::vector<std::string> values{std::istream_iterator<std::string>(words), {}};
@@ -302,6 +308,7 @@ class PcdReader {
   std::istream& in_;
   std::string source_;
   PointChunks chunks_;
+  MovedComments comments_;
   std::size_t line_ = 0;
   std::uint64_t begin_ = 0;  // bytes of the header
   std::uint64_t width_ = 0;
@@ -315,15 +322,14 @@ class PcdReader {
 }  // namespace
 
 CloudCounts read_pcd(std::istream& in, std::string_view source, const PointSink& sink) {
-  return PcdReader(in, source, sink).read();
+  return PcdReader(in, source, sink).read({});
 }
 
 namespace {
 
 CloudCounts read_pcd_cloud(std::istream& in, std::string_view source, const PointSink& sink,
                            const ReferenceSink& reference, const LasReading&) {
-  if (reference) reference({});
-  return read_pcd(in, source, sink);
+  return PcdReader(in, source, sink).read(reference);
 }
 
 // The comment that names the format is no part of it.
