@@ -1,8 +1,6 @@
 #include "gdal_mosaic.h"
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <string_view>
 
 #include "gdal_whole.h"
@@ -27,11 +25,10 @@ std::string path_of(const VrtSource& source, const std::string& mosaic) {
   return mosaic.substr(0, slash + 1) + source.file;
 }
 
-bool same_none(GDALRasterBandH a, GDALRasterBandH b) {
-  const double one = gdal().no_data(a, nullptr);
-  const double other = gdal().no_data(b, nullptr);
-  return one == other || static_cast<float>(one) == static_cast<float>(other) ||
-         (std::isnan(one) && std::isnan(other));
+bool same(double one, double other) {
+  if (one == other) return true;
+  if (std::isnan(one) || std::isnan(other)) return std::isnan(one) && std::isnan(other);
+  return std::abs(one - other) <= 1e-7 * std::abs(one);  // as text and in single precision
 }
 
 // Whether cells of the part that hold no number hold none in the mosaic.
@@ -41,7 +38,9 @@ bool keeps_holes(GDALRasterBandH of, GDALRasterBandH part, const VrtSource& sour
   const int shown = gdal().mask_flags(of);
   if (shown == GMF_ALL_VALID) return opacity;
   if (!(shown & GMF_NODATA)) return true;
-  return flags & GMF_NODATA ? source.skips_none || same_none(of, part) : source.obeys_mask;
+  if (!(flags & GMF_NODATA)) return source.obeys_mask;
+  const double none = gdal().no_data(part, nullptr);
+  return same(gdal().no_data(of, nullptr), none) || (source.none && same(*source.none, none));
 }
 
 // Whether each cell of the part becomes one of the mosaic, or more.

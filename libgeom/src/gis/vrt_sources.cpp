@@ -34,7 +34,6 @@ class VrtReader : public XmlHandler {
       sources_.back().beside = tag.attribute("relativeToVRT") == "1";
     if (tag.name == "SrcRect") sources_.back().from = rectangle_of(tag);
     if (tag.name == "DstRect") sources_.back().to = rectangle_of(tag);
-    if (tag.name == "NODATA") sources_.back().skips_none = true;
   }
 
   void text(std::string_view part) override { text_ += part; }
@@ -55,6 +54,7 @@ class VrtReader : public XmlHandler {
     VrtSource& source = sources_.back();
     const std::string value(trimmed(text_));
     if (element == "SourceFilename") source.file = value;
+    if (element == "NODATA") source.none = parse_number(value);
     if (element == "UseMaskBand") source.obeys_mask = value == "true" || value == "1";
     if (element == "SourceBand") source.band = static_cast<int>(parse_number(value).value_or(0));
   }

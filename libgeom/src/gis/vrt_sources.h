@@ -23,7 +23,7 @@ struct VrtSource {
   std::string file;
   bool beside = false;               // the file's name counts from the mosaic's folder
   int band = 1;                      // of the file
-  bool skips_none = false;           // cells with the file's value for none are left out
+  std::optional<double> none;        // cells of the file with this value are left out
   bool obeys_mask = false;           // so are cells that its mask excludes
   std::optional<VrtRectangle> from;  // of the file; absent: all
   std::optional<VrtRectangle> to;    // of the mosaic; absent: all

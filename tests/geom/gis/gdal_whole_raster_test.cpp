@@ -109,6 +109,7 @@ TEST(RequireWholeRaster, RefusesAMosaicThatGivesHolesNumbers) {
   EXPECT_TRUE(says(refusal("", "SimpleSource", ""), "cells without a number have none"));
   EXPECT_TRUE(says(refusal("", "ComplexSource", "<NODATA>-50</NODATA>"), "have none"));
   EXPECT_TRUE(says(refusal(none, "SimpleSource", ""), "have none"));
+  EXPECT_TRUE(says(refusal(none, "ComplexSource", "<NODATA>0</NODATA>"), "have none"));
   EXPECT_EQ(refusal(none, "ComplexSource", "<NODATA>-50</NODATA>"), "");
   EXPECT_EQ(refusal("<NoDataValue>-50</NoDataValue>", "SimpleSource", ""), "");
 }
