@@ -36,8 +36,8 @@ void FlightLogs::refuse_idle(const CLI::App& app, bool asked) const {
   if (!asked) return;
   constexpr const char* kApply = "records and drone files";
   cli::only_for(app, false,
-                {"--exact", "--certificate", "--profile", "--override", "--no-clearance", "--spare",
-                 "--junit", "--drop-refused"},
+                {"--exact", "--certificate", "--profile", "--no-clearance", "--spare", "--junit",
+                 "--drop-refused"},
                 kApply);
   for (const geom::LimitKind& kind : geom::kLimitKinds) {
     cli::only_for(app, false, {kind.option}, kApply);
@@ -45,12 +45,14 @@ void FlightLogs::refuse_idle(const CLI::App& app, bool asked) const {
   if (!tube_.empty() && plan_.empty()) throw cli::UsageError("--tube needs --plan");
 }
 
-traj::FlightLogCheck FlightLogs::read_plans(const geom::BoxMap& map,
-                                            const cli::MetresOption& metres) const {
-  traj::FlightLogCheck check(rule_);
+traj::FlightLogCheck FlightLogs::read_plans(const Run& run) const {
+  const geom::BoxMap& map = run.scenes.map();
+  traj::SampledRule rule = rule_;
+  rule.any_map = run.override_record;
+  traj::FlightLogCheck check(rule);
   if (plan_.empty()) return check;
   cli::Contents contents = cli::read_contents({plan_});
-  cli::require_same_map(contents, &map, metres);
+  cli::require_same_map(contents, &map, run.metres);
   for (auto& read : contents.trajectories) check.add_plan(std::move(read.record));
   if (!check.has_plans()) {
     throw geom::InputError(plan_, {.expected = "a solved trajectory", .found = "none"});
@@ -81,7 +83,7 @@ void warn_of(const traj::FlightLog& log, const traj::FlightLogCheck& check,
 cli::Exit FlightLogs::check(const Run& run) const {
   const ReportOutput& report = run.report;
   const geom::BoxMap& map = run.scenes.map();
-  const traj::FlightLogCheck check = read_plans(map, run.metres);
+  const traj::FlightLogCheck check = read_plans(run);
   cli::InputFile file(run.input);
   const auto logs = traj::read_flight_log(file.stream(), file.name());
   cli::RecordOutput out(report.file(), "output", run.sharding);

@@ -28,13 +28,14 @@ class FlightLogs {
     const cli::MetresOption& metres;
     const cli::Sharding& sharding;
     const ReportOutput& report;
+    bool override_record;  // a log need not say its map
   };
 
   // A report a flight.
   cli::Exit check(const Run& run) const;
 
  private:
-  traj::FlightLogCheck read_plans(const geom::BoxMap& map, const cli::MetresOption& metres) const;
+  traj::FlightLogCheck read_plans(const Run& run) const;
 
   std::string plan_;
   std::string tube_;

@@ -82,8 +82,10 @@ void Options::add_to(CLI::App& app) {
   vehicle.add_memory_to(app);
   vehicle.add_spare_to(app);
   limits.add_to(app);
-  app.add_flag("--override", override_record,
-               "let options and --vehicle be looser than what the records carry");
+  app.add_flag(
+      "--override", override_record,
+      "let options and --vehicle be looser than what the records carry, and a flight log be "
+      "of any map");
   app.add_flag("--exact", exact, "check once more in exact numbers; both must accept");
   app.add_flag("--no-clearance", no_clearance,
                "leave the clearance out of the reports: it costs more than the verdict");
@@ -184,14 +186,12 @@ void refuse_together(const Options& options, bool shard) {
   if (shard && options.together.asked()) {
     throw cli::UsageError(
         "--together compares every pair of flights, and a shard has only some of them: leave "
-        "--shard "
-        "or --together out");
+        "--shard or --together out");
   }
   if (shard && options.together.moving().asked()) {
     throw cli::UsageError(
         "--moving gives one verdict on all flights, and a shard has only some of them: leave "
-        "--shard "
-        "or --moving out");
+        "--shard or --moving out");
   }
   if (shard && !options.junit.empty()) {
     throw cli::UsageError(
@@ -201,8 +201,7 @@ void refuse_together(const Options& options, bool shard) {
   if (shard && options.drop_refused) {
     throw cli::UsageError(
         "--drop-refused gives one verdict on all records that are left, and a shard has only some "
-        "of "
-        "them: leave --shard or --drop-refused out");
+        "of them: leave --shard or --drop-refused out");
   }
   if (shard && options.report.asks_for_text()) {
     throw cli::UsageError(
@@ -300,8 +299,8 @@ int main(int argc, char** argv) {
         map, options.vehicle,
         options.override_record ? Differences::allowed : Differences::stricter_allowed);
     if (options.flight_log()) {
-      return options.flights.check(
-          {common, options.input, scenes, options.metres, sharding, options.report});
+      return options.flights.check({common, options.input, scenes, options.metres, sharding,
+                                    options.report, options.override_record});
     }
     if (options.contingencies.asked()) {
       return options.contingencies.check({common, file, scenes, options.drone_file.autopilot,

@@ -62,7 +62,8 @@ SampledReport FlightLogCheck::judge(const FlightLog& log, const geom::CollisionS
                        .samples = points.size(),
                        .cut = log.cut || points.size() < 2,  // one place is no flight
                        .provenance = geom::provenance_of(scene),
-                       .rule = rule_};
+                       .rule = rule_,
+                       .map_said = !log.map.empty()};
   const Plan* const plan = plan_of(log.id);
   if (!plan) return report;
   const TubeRecord tube = plan->tube.value_or(TubeRecord{.period = 1});

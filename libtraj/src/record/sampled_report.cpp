@@ -1,5 +1,7 @@
 #include "traj/record/sampled_report.h"
 
+#include <tuple>
+
 #include "geom/text/json_line.h"
 
 namespace traj {
@@ -26,6 +28,7 @@ std::string_view reason_of(const SampledReport& report, const geom::BoxMap& map)
   const std::optional<double>& asked = report.rule.clearance;
   if (found != "sampled") return found;
   if (!asked && !report.rule.sampled) return "sampled";
+  if (!report.map_said && !report.rule.any_map) return "no_map";
   if (report.cut || report.short_of_plan) return "cut";
   if (!asked || map.size() == 0) return "";
   if (!result.clearance) return "clearance_not_measured";
@@ -61,6 +64,7 @@ std::string to_json_line(const SampledReport& report, const geom::BoxMap& map) {
   if (report.cut) line.add("cut", true);
   if (report.plan) line.add("plan", plan_of(report));
   add(line, report.provenance);
+  if (reason.empty() && !report.map_said) line.add("overridden", std::tuple("map"));
   return line.line();
 }
 

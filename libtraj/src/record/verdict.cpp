@@ -432,6 +432,11 @@ std::string in_words(const SampledReport& report, const geom::BoxMap& map) {
   const std::string sampled = sampled_in_words(report);
   if (reason.empty()) return sampled;
   if (verdict(report.result) != "sampled") return touch_in_words(report, map);
+  if (reason == "no_map") {
+    return "the log does not say of which map its places are: read it with skyway-import-flight "
+           "--map, or, if they are of this one, insist with --override; " +
+           sampled;
+  }
   if (reason == "cut" && !report.cut) {
     return "the log is shorter than its plan, so it does not hold the whole flight; until its "
            "end, " +

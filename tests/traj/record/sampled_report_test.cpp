@@ -5,6 +5,7 @@
 #include "geom/text/json_fields.h"
 #include "support/reading.h"
 #include "traj/record/report_record.h"
+#include "traj/record/verdict.h"
 #include "traj/scenes.h"
 
 namespace traj {
@@ -43,6 +44,21 @@ std::string said(SampledReport one, const SampledRule& rule) {
 
 // Comes as near as 2 m, and stays in the air.
 const std::vector<Vec3> kNear = {{0, 0, 5}, {8, 0, 5}};
+
+TEST(SampledReport, RefusesALogThatDoesNotSayItsMap) {
+  SampledReport one = report(kNear, {0, 1});
+  one.map_said = false;
+  EXPECT_EQ(said(one, {}), "sampled") << "which is no yes in any case";
+  EXPECT_EQ(said(one, {.sampled = true}), "no_map");
+  EXPECT_EQ(said(one, {.clearance = 1}), "no_map");
+  EXPECT_EQ(said(one, {.clearance = 1, .any_map = true}), "");
+  EXPECT_TRUE(says(in_words(one, scene().map()), "--sampled"));
+  one.rule = {.sampled = true};
+  EXPECT_TRUE(says(in_words(one, scene().map()), "--override"));
+  one.rule.any_map = true;
+  EXPECT_TRUE(says(to_json_line(one, scene().map()), "\"overridden\":[\"map\"]"));
+  EXPECT_FALSE(says(to_json_line(report(kNear, {0, 1}), scene().map()), "overridden"));
+}
 
 TEST(SampledReport, AcceptsByItsRuleWhatTouchesNothing) {
   const SampledReport one = report(kNear, {0, 1});

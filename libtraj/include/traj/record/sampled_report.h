@@ -24,6 +24,7 @@ namespace traj {
 struct SampledRule {
   bool sampled = false;             // that nothing was touched, at samples and straight between
   std::optional<double> clearance;  // m: that so much was kept there
+  bool any_map = false;             // also where the log does not say of which map its places are
 };
 
 struct SampledReport {
@@ -37,12 +38,14 @@ struct SampledReport {
   SampledRule rule = {};
   // The log lasts a shorter time than its plan, so that it cannot hold the whole flight.
   bool short_of_plan = false;
+  bool map_said = true;  // by the log: its places are of this map
 };
 
 // Why a log on `map` is refused; empty where its rule accepts it. A touch is always refused:
 // "collision", "bounds"; so is a "gap" of more than kLongestGap. Without a rule the rest is
-// "sampled". With one, "cut" is a log that broke off or is shorter than its plan; "clearance" one
-// that came nearer than asked, "clearance_not_measured" one that was never in the air.
+// "sampled". With one, "no_map" is a log that does not say its map, if the rule wants it to; "cut"
+// one that broke off or is shorter than its plan; "clearance" one that came nearer than asked,
+// "clearance_not_measured" one that was never in the air.
 std::string_view reason_of(const SampledReport& report, const geom::BoxMap& map);
 
 // Ends with a newline. "ok" only where the rule accepts it; "verdict" then says what was looked at:
