@@ -1,6 +1,7 @@
 #include "contingencies.h"
 
 #include <algorithm>
+#include <atomic>
 #include <set>
 #include <utility>
 
@@ -77,6 +78,7 @@ cli::Exit Contingencies::check(const Run& run) const {
   cli::Batch batch;
   std::size_t total = 0;
   std::size_t failed = 0;
+  std::atomic<bool> paths = false;
   std::set<std::string> flights;
   const auto next = [&]() -> std::optional<CheckedFlight> {
     while (auto line = lines.next()) {
@@ -91,6 +93,7 @@ cli::Exit Contingencies::check(const Run& run) const {
     const auto scene = run.scenes.shared_scene_for(ways.room_of(flight), file.name(), line);
     run.metres.check_input(scene->map().spec().frame, flight.places(), file.name(), line);
     item.checked = ways.check(*scene, flight, proof);
+    if (flight.kind == "path") paths = true;
   };
   const auto take = [&](CheckedFlight& item) {
     const traj::ReportRecord& report = item.checked.report;
@@ -105,6 +108,7 @@ cli::Exit Contingencies::check(const Run& run) const {
   };
   geom::in_order<CheckedFlight>(run.common.execution("flights"), kFlightsHeld, next, work, take);
   if (!run.sharding.asked()) ways.require_used(flights);
+  if (!run.sharding.asked()) traj::require_vmax_used(run.vmax, paths);
   const cli::Exit exit = failed > 0 ? cli::Exit::no : cli::Exit::yes;
   if (run.report.is_text()) out.add(table.text(run.report.colour()));
   out.commit(total, exit);

@@ -145,8 +145,7 @@ void Options::require_used_ground(const std::string& told_by) const {
       *app_, told_by == "shape",
       {"--ground-cell", "--ground-slope", "--ground-height", "--ground-step", "--ground-widest"},
       "--ground-points drop by shape (--ground-by shape; auto takes the file's class where a point "
-      "has "
-      "that of ground)");
+      "has that of ground)");
 }
 
 void Options::settle_outliers() {

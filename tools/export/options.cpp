@@ -46,8 +46,7 @@ std::vector<std::string> format_words() {
 
 void Options::add_to(CLI::App& app) {
   app.add_option("map_and_file", files,
-                 "box map, then trajectories or paths (default: stdin); with "
-                 "--unchecked no map")
+                 "box map, then trajectories or paths (default: stdin); with --unchecked no map")
       ->expected(0, 2);
   app.add_option("--format", word, "what to write")
       ->required()

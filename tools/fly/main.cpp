@@ -86,7 +86,7 @@ void check_needs(const CLI::App& app, const fly::Options& options, const Inputs&
                  const cli::VehicleOptions& vehicle) {
   cli::only_for(app, options.tune, {"--cost"}, "--tune");
   cli::SimulatedVehicleOptions::refuse_idle_disturbances(app, options.proves());
-  cli::only_for(app, !inputs.map.empty(), {"--metres"}, "flights over a map");
+  cli::only_for(app, !inputs.map.empty(), {"--metres", "--margin"}, "flights over a map");
   if (!vehicle.word.empty()) return;
   throw cli::UsageError("no vehicle: give --vehicle, such as tello or FILE.json");
 }

@@ -45,9 +45,8 @@ void Options::add_to(CLI::App& app) {
   app.add_flag("--tune", tune, "write gains found for these trajectories instead of a log");
   app.add_option(
       "--cost", cost,
-      "what --tune makes small: mean, rms, p99, max, final, saturated, each with a "
-      "weight, as mean:1,max:0.5 (default: rms); or proved-tube, the largest radius of a "
-      "proved tube");
+      "what --tune makes small: mean, rms, p99, max, final, saturated, each with a weight, as "
+      "mean:1,max:0.5 (default: rms); or proved-tube, the largest radius of a proved tube");
   metres.add_to(app);
 }
 

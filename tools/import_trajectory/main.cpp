@@ -135,7 +135,7 @@ void Options::add_to(CLI::App& app) {
   vehicle.add_to(app);
   cli::add_placement(app, file.reading.placement);
   file.add_heights_to(app);
-  file.autopilot.add_to(app);
+  file.autopilot.add_reading_to(app);
   cli::add_point(
       app, "--takeoff-place", file.reading.start,
       "where a Tello stands before it takes off, along the axes of --frame or of the map");

@@ -139,9 +139,8 @@ void warn_of_open(const geom::ZoneFile& file, const geom::ZoneBoxes& boxes, cons
   if (zero > 0) {
     common.warn(fmt::format(
         "{}: {} limits whose zero the map does not know (above ground: --ground-model; above the "
-        "sea: "
-        "--zero-sea, or --zero-height and --geoid); such a limit counts as open, down to the floor "
-        "or up to the top of the map",
+        "sea: --zero-sea, or --zero-height and --geoid); such a limit counts as open, down to the "
+        "floor or up to the top of the map",
         name, zero == 1 ? "a zone has" : fmt::format("{} zones have", zero)));
   }
   if (hole > 0) {

@@ -85,6 +85,7 @@ class HomeOutput {
   std::size_t next() { return total_++; }  // the number of a flight of the stream
 
   void add(const WaysPlanner::Answer& answer) {
+    any_path_ = any_path_ || answer.flight.kind == "path";
     std::string lines;
     for (const auto& record : answer.records) lines += traj::to_json_line(record);
     out_.add(lines);
@@ -95,7 +96,8 @@ class HomeOutput {
     answer.complete ? batch_.add_good() : batch_.add_failed(reason(answer), sentence(answer));
   }
 
-  cli::Exit commit() {
+  cli::Exit commit(const std::optional<double>& vmax) {
+    if (!run_.sharding.asked()) traj::require_vmax_used(vmax, any_path_);
     const cli::Exit exit = all_ ? cli::Exit::yes : cli::Exit::no;
     out_.commit(total_, exit);
     run_.common.write_stats(totals_.stats());
@@ -109,6 +111,7 @@ class HomeOutput {
   Totals totals_;
   cli::Batch batch_;
   std::size_t total_ = 0;
+  bool any_path_ = false;
   bool all_ = true;
 };
 
@@ -180,7 +183,7 @@ cli::Exit HomeOption::plan(const Run& run) {
   };
   geom::in_order<Item>(run.common.execution("flights"), kHeld, next, work,
                        [&](Item& item) { out.add(item.answer); });
-  return out.commit();
+  return out.commit(vmax_);
 }
 
 }  // namespace planning

@@ -41,8 +41,7 @@ const traj::MovingVehicle* flown(const std::vector<traj::MovingVehicle>& motions
     if (options.inputs.empty()) {
       throw cli::UsageError(
           "nothing to fly along: give a trajectory or a flight log, or draw the map (--view plan "
-          "or "
-          "overview)");
+          "or overview)");
     }
     throw geom::InputError(
         options.inputs[0],

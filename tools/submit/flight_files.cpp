@@ -101,6 +101,7 @@ void FlightFiles::add_mission(const std::string& path, const std::string& text,
     const traj::ReportRecord& report = one.flight->report();
     for (const std::string& note : one.notes) common_.warn(report.id + ": " + note);
     terrain_use_.take(report);
+    ends_at_home_ = ends_at_home_ || one.ends_at_home;
     of_missions_.push_back({traj::flight_parts(*one.flight, map)});
   }
   missions_.push_back(name);

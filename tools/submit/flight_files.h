@@ -39,8 +39,10 @@ class FlightFiles {
   std::size_t refused() const { return refused_; }
   std::size_t count() const { return claims_.size(); }  // after write() of all
   bool has_records() const { return has_records_; }
-  // Whether a mission counts its heights from terrain; those that were refused, too.
+  // Of missions, those that were refused, too: what they need of the ground, and whether one ends
+  // with a return to home.
   const traj::TerrainUse& terrain_use() const { return terrain_use_; }
+  bool ends_at_home() const { return ends_at_home_; }
   const std::vector<std::string>& missions() const { return missions_; }
   std::vector<traj::FlightClaims>& claims() { return claims_; }  // in their order
   // The ground risk buffers of each of them.
@@ -67,6 +69,7 @@ class FlightFiles {
   std::optional<GrowingFile> certificates_;
   bool has_records_ = false;
   traj::TerrainUse terrain_use_;
+  bool ends_at_home_ = false;
   std::optional<traj::FlightSet> set_;  // of trajectories, where they are compared
   std::vector<std::string> missions_;
   std::vector<traj::FlightClaims> claims_;

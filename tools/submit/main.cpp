@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "cli/file/files.h"
+#include "cli/option/option_check.h"
 #include "cli/option/scenes.h"
 #include "cli/run.h"
 #include "cli/tell.h"
@@ -74,15 +75,19 @@ std::optional<geom::GroundModel> ground_of(const Options& options, const geom::B
   return ground;
 }
 
-void require_terrain(const traj::SubmissionMethod& method, const FlightFiles& flights) {
-  const auto key = flights.terrain_use().idle(method);
-  if (!key) return;
-  throw cli::UsageError(
-      *key == traj::kSurfaceBandKey
-          ? "--surface-band is for missions of DJI that follow the surface, and there is none: "
-            "leave it out"
-          : "--terrain-error is for missions with heights above terrain, and there is none: leave "
-            "it out");
+// Throws cli::UsageError for an option that no flight uses.
+void require_used(const CLI::App& app, const traj::SubmissionMethod& method,
+                  const FlightFiles& flights) {
+  const traj::TerrainUse& use = flights.terrain_use();
+  const bool missions = !flights.missions().empty();
+  const bool returns = method.risk.contingency == traj::ContingencyRule::ways_home;
+  cli::only_for(app, use.error, {"--terrain-error"}, "missions with heights above terrain");
+  cli::only_for(app, use.surface, {"--surface-band"}, "missions of DJI that follow the surface");
+  cli::only_for(app, missions, {"--between", "--geoid", "--geoid-grid", "--ground"}, "missions");
+  cli::only_for(app, missions || returns, {"--autopilot", "--params", "--drag", "--navigation"},
+                "missions, and for --contingency return");
+  cli::only_for(app, flights.ends_at_home() || returns, {"--return-height"},
+                "missions that end with a return, and for --contingency return");
 }
 
 // Missions have no times of their own, so trajectories alone are compared.
@@ -110,12 +115,6 @@ void add_page(const cli::Common& common, const FlightFiles& flights,
   }
   folder.add("page.html",
              submitting::view_page(common, shown_files(flights, folder), open, "Flights of " + by));
-}
-
-void add_scripts(SubmissionFolder& folder) {
-  for (const traj::VerifyScript& one : traj::verify_scripts()) {
-    folder.add("verify/" + std::string(one.name), one.text);
-  }
 }
 
 // The folder says which flights come too near, and so does the exit code.
@@ -157,7 +156,7 @@ int main(int argc, char** argv) {
     const traj::SubmittedFlights open(scenes, submission.method, files);
     FlightFiles flights(common, open, folder, submission.method.together);
     for (const std::string& file : options.flights) flights.add(file, scenes.map());
-    require_terrain(submission.method, flights);
+    require_used(app, submission.method, flights);
     flights.write();
     if (flights.refused() > 0) {
       cli::complain("skyway-submit",
@@ -174,7 +173,8 @@ int main(int argc, char** argv) {
     write_claims(flights.claims(), folder);
     folder.add("submission.json", traj::to_json_line(submission));
     folder.add("summary.html", traj::summary_page(operation, submission, flights.claims()));
-    add_scripts(folder);
+    for (const auto& one : traj::verify_scripts())
+      folder.add(fmt::format("verify/{}", one.name), one.text);
     if (!options.no_page) add_page(common, flights, open, operation.by.name, folder);
     const std::size_t bytes = folder.bytes();
     const std::string hash = folder.commit(kMadeBy);

@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "cli/content/contents.h"
 #include "cli/file/files.h"
 #include "cli/option/numbers_option.h"
+#include "cli/option/option_check.h"
 #include "cli/option/output_option.h"
 #include "cli/option/placement_option.h"
 #include "cli/option/vehicle_option.h"
@@ -16,14 +15,6 @@
 #include "page.h"
 
 namespace {
-
-void require_one_stdin(std::vector<std::string> files, const std::string& poses,
-                       const std::string& params) {
-  files.insert(files.end(), {poses, params});
-  if (std::count(files.begin(), files.end(), "-") > 1) {
-    throw cli::UsageError("only one input may be -");
-  }
-}
 
 cli::Contents read(const std::vector<std::string>& files, cli::DroneFileOptions& options,
                    const cli::MetresOption& metres) {
@@ -86,14 +77,18 @@ int main(int argc, char** argv) {
                  "where a Tello stands before it takes off, along the map's axes");
   cli::add_placement(app, drone_files.reading.placement);
   drone_files.add_mission_to(app);
-  drone_files.autopilot.add_to(app);
+  drone_files.autopilot.add_reading_to(app);
   metres.add_to(app);
   return cli::run_tool(app, argc, argv, [&] {
-    require_one_stdin(files, pictures.poses, drone_files.autopilot.params);
+    std::vector<std::string> inputs = files;
+    inputs.push_back(pictures.poses);
+    cli::at_most_one_stdin(drone_files.autopilot.params, inputs);
     drone_files.terrain.refuse_idle(drone_files.reading.rules);
     drone_files.autopilot.settle(vehicle.profile());
     const cli::Contents contents = read(files, drone_files, metres);
-    cli::DroneFileOptions::require_used(app, contents.drone_formats);
+    drone_files.require_any_used(app, contents.drone_flights);
+    const bool moves = !contents.trajectories.empty() || !contents.flights.empty();
+    cli::only_for(app, moves, {"--margin"}, "trajectories and flight logs");
     std::optional<view::Frames> frames;
     if (!pictures.names.empty()) frames = view::read_frames(pictures);
     view::Bundle bundle;

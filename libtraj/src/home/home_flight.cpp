@@ -56,6 +56,13 @@ std::vector<Vec3> HomeFlight::places() const {
   return out;
 }
 
+void require_vmax_used(const std::optional<double>& vmax, bool any_path) {
+  if (!vmax || any_path) return;
+  throw geom::UsageError(
+      "--vmax says how fast paths are flown, and every flight is a trajectory, which has its own "
+      "speed: leave --vmax out");
+}
+
 HomeFlight read_home_flight(const geom::JsonFields& fields, const std::optional<double>& vmax) {
   if (fields.text("type", "") == "path") return flight_of(geom::read_path_record(fields), vmax);
   return flight_of(read_trajectory_record(fields));

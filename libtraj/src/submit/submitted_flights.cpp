@@ -90,6 +90,8 @@ std::vector<FlightInScene> SubmittedFlights::of_mission(const std::string& text,
         {scene, std::make_unique<SubmittedMission>(*scene, one, method_, reading_.flier)});
     out.back().flight->know_ground(reading_.rules.terrain);
     out.back().notes = one.notes;
+    const FlownMission* const mission = mission_of(one.flown);
+    out.back().ends_at_home = mission && mission->ends_at_home;
     if (std::string note = corner_note(one.flown); !note.empty()) {
       out.back().notes.push_back(std::move(note));
     }

@@ -15,7 +15,7 @@ data = source_dir / "tests/golden/data"
 wrong = []
 
 # Of no format: what a run tells and how it runs; and what allows or insists, which changes nothing where nothing is asked for.
-ANY = {"--help", "--version", "--threads", "--progress", "--stats", "--quiet", "--output", "--format", "--file-format",
+ANY = {"--help", "--help-all", "--title", "--drop-refused", "--version", "--threads", "--progress", "--stats", "--quiet", "--output", "--format", "--file-format",
        "--paths-csv", "--shard", "--memory", "--allow-skipped", "--override", "--map", "--id", "--unchecked", "--vehicle",
        "--crs", "--plan", "--tube", "--certificate", "--profile", "--profile-step", "--junit", "--moving", "--contingencies", "--show", "--metres"}
 
@@ -39,18 +39,22 @@ VALUES = {
     "--aircraft": "m30", "--lost-link": "continue", "--gimbal": "-45", "--label-by": "object", "--turns": "3", "--volumes": "3", "--buffer": "2", "--python": "x.py", "--table": "x.csv",
     "--return": "rtl", "--rally": "30,5,10", "--rally-out": "x.rally", "--fence": "auto", "--fence-budget": "20", "--fence-out": "x.fence", "--params-out": "x.params",
     "--procedure": "x.txt", "--ground-model": "1", "--terrain-error": "3", "--surface-band": "20,30", "--geoid-grid": "g.gtx",
+    "--home-place": "5,30,5", "--no-least-height": None, "--require-clearance": "0.5", "--sampled": None, "--ground-of": "m.boxmap",
+    "--types": "house", "--vertical-error": "2", "--frames": "f-%05d.png", "--poses": "poses.jsonl",
 }
 # Where the same word means another thing.
 OF_TOOL = {"skyway-check": {"--vmax": "1", "--amax": "2"}, "skyway-cloud": {"--origin": "37.79,-122.39"},
            "skyway-footprints": {"--origin": "37.79,-122.39"},
            "skyway-import-trajectory": {"--gap": "0.01"}, "skyway-export": {"--axes": "ned", "--tolerance": "0.05",
-                             "--navigation": "50,50", "--tracking": "50,50"}}
+                             "--navigation": "50,50", "--tracking": "50,50", "--takeoff-place": "6,30,0"}}
 # Used, and no other value comes out of these small samples.
 MISSIONS = {"wpl", "qgc-plan"}
 ALIKE = {("skyway-import", "--frame"): {"fcnd"}, ("skyway-export", "--tolerance"): {"kml", "geojson", "gltf"},
          ("skyway-export", "--spare"): {"setpoints", "kml", "geojson", "gltf", "crazyflie"},
          ("skyway-export", "--autopilot"): MISSIONS, ("skyway-export", "--params"): MISSIONS, ("skyway-export", "--drag"): MISSIONS,
-         ("skyway-import-trajectory", "--gap"): {"crazyflie"}, ("skyway-check", "--acceptance"): MISSIONS}
+         ("skyway-import-trajectory", "--gap"): {"crazyflie"}, ("skyway-check", "--acceptance"): MISSIONS, ("skyway-view", "--acceptance"): MISSIONS,
+         ("skyway-view", "--margin"): {"crazyflie"},  # without a vehicle
+         **{(tool, option): MISSIONS for tool in ("skyway-import-trajectory", "skyway-view") for option in ("--autopilot", "--params")}}
 
 
 def run(*command):
@@ -59,9 +63,9 @@ def run(*command):
 
 
 def options_of(tool):
-    """The long names that --help lists."""
+    """The long names that --help-all lists."""
     names = set()
-    for line in run(bin_dir / tool, "--help")[1].decode().splitlines():
+    for line in run(bin_dir / tool, "--help-all")[1].decode().splitlines():
         named = re.match(r"  (-\S+)", line)
         names.update(n for n in re.split("[,:]", named[1].replace("{false}", "")) if n.startswith("--")) if named else None
     return names - ANY
@@ -132,6 +136,7 @@ def flights():
         yield "skyway-check", format, ["m.boxmap", name, "--file-format", "auto", "--vehicle", "box:1,1,1", *more]
         if format != "setpoints":
             yield "skyway-import-trajectory", format, [name, "--map", "m.boxmap", *more]
+            yield "skyway-view", format, ["m.boxmap", name, *more, "-o", "x.html"]
     pathlib.Path("paths.csv").write_text("id,x,y,z\na,5,30,5\na,9,30,6\n")
     yield "skyway-check", "paths-csv", ["m.boxmap", "paths.csv", "--paths-csv", "--vehicle", "box:1,1,1"]
     yield "skyway-import-trajectory", "paths-csv", ["paths.csv", "--map", "m.boxmap"]

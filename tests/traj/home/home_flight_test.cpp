@@ -41,6 +41,12 @@ TEST(ReadHomeFlight, NeedsTheSpeedOfAPath) {
   EXPECT_THROW(read_home_flight(record(""), {}), geom::UsageError);
 }
 
+TEST(RequireVmaxUsed, RefusesASpeedOfPathsIfThereIsNone) {
+  EXPECT_THROW(require_vmax_used(5, false), geom::UsageError);
+  EXPECT_NO_THROW(require_vmax_used(5, true));
+  EXPECT_NO_THROW(require_vmax_used({}, false));
+}
+
 TEST(ReadHomeFlight, SaysWhyThereIsNone) {
   const geom::JsonFields none(R"({"type":"path","id":"a","status":"unreachable","points":[]})",
                               "p.jsonl", 1);

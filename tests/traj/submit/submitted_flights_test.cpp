@@ -135,6 +135,17 @@ TEST(SubmittedFlights, AMissionAboveTerrainNeedsTheErrorOfItsTerrain) {
   EXPECT_TRUE(support::says(desk.refusal_with(&ground), "give --terrain-error"));
 }
 
+TEST(SubmittedFlights, SayWhetherAMissionEndsWithAReturn) {
+  Desk desk;
+  desk.method.terrain_error.reset();
+  std::string text = mission("3");
+  desk.fly(nullptr, text);
+  EXPECT_FALSE(desk.flights.front().ends_at_home);
+  text.replace(text.find("\t21\t"), 4, "\t20\t");
+  desk.fly(nullptr, text);
+  EXPECT_TRUE(desk.flights.front().ends_at_home);
+}
+
 TEST(TerrainUse, NamesWhatNoMissionUses) {
   SubmissionMethod method;
   method.terrain_error = 3;

@@ -125,8 +125,7 @@ void add_drone_file(const std::string& path, DroneFileOptions& options, Contents
   provenance.frame = frame.axes;
   options.settle_ground(frame);
   const std::string text = file.read_all();
-  out.drone_formats.push_back(traj::recognised_mission_format(text).format.word);
-  for (const traj::FileFlight& one : read_drone_file(text, file.name(), options, frame)) {
+  for (traj::FileFlight& one : read_drone_file(text, file.name(), options, frame)) {
     if (auto legs = traj::path_record(one, provenance, true)) {
       out.paths.push_back({std::move(*legs), file.name(), 0});
     } else {
@@ -135,6 +134,7 @@ void add_drone_file(const std::string& path, DroneFileOptions& options, Contents
     if (auto regions = traj::regions_record(one, provenance)) {
       out.corridors.push_back({std::move(*regions), file.name(), 0});
     }
+    out.drone_flights.push_back(std::move(one));
   }
 }
 

@@ -45,7 +45,7 @@ struct Contents {
   std::vector<Read<traj::TogetherSummary>> together;  // one another
   std::vector<Read<traj::ContingencyRecord>> contingencies;
   std::vector<Read<traj::TubeRecord>> tubes;    // of the reports of simulated flights
-  std::vector<std::string_view> drone_formats;  // of the drone files among the inputs
+  std::vector<traj::FileFlight> drone_flights;  // of drone files, whose paths stand above
 };
 
 // What is taken beside paths, trajectories, trees and flights: not every picture shows all.

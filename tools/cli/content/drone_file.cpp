@@ -121,10 +121,12 @@ void DroneFileOptions::require_used(std::string_view of_format, std::string_view
   if (app) cli::require_used(*app, reading_options(), of_format, because);
 }
 
-void DroneFileOptions::require_used(const CLI::App& parser,
-                                    std::vector<std::string_view> of_formats) {
-  of_formats.insert(of_formats.end(), {kRecordsWord, kFlightLogWord});
-  cli::require_used(parser, reading_options(), of_formats, "no file is one of these");
+void DroneFileOptions::require_any_used(const CLI::App& parser,
+                                        std::span<const traj::FileFlight> flights) const {
+  std::vector<std::string_view> formats{kRecordsWord, kFlightLogWord};
+  for (const traj::FileFlight& one : flights) formats.push_back(one.format->format.word);
+  cli::require_used(parser, reading_options(), formats, "no file is one of these");
+  require_used(flights, "what is shown");
 }
 
 void DroneFileOptions::require_used(std::span<const traj::FileFlight> flights,

@@ -51,11 +51,11 @@ struct DroneFileOptions {
   // Throws UsageError for an option of the app that this format does not use (format_options.h):
   // one of drone files, "records" or "flight-log".
   void require_used(std::string_view of_format, std::string_view because) const;
-  // The same for the options of `parser`, if none of the files that were read uses them: of these
-  // formats, beside records and flight logs.
-  static void require_used(const CLI::App& parser, std::vector<std::string_view> of_formats);
   // Throws UsageError for a height, ground or terrain that no flight of the file uses.
   void require_used(std::span<const traj::FileFlight> flights, const std::string& source) const;
+  // The same for all options of `parser`, if neither these flights of any files nor records or
+  // flight logs use them.
+  void require_any_used(const CLI::App& parser, std::span<const traj::FileFlight> flights) const;
 };
 
 // kAuto, and the words of the formats that a tool of this name reads.

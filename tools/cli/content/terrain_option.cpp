@@ -55,8 +55,7 @@ void TerrainOption::refuse_idle(const traj::MissionRules& rules) const {
   }
   if (rules.ground) {
     throw geom::UsageError(
-        "--terrain-height says that the ground is flat: leave it or "
-        "--ground-model out");
+        "--terrain-height says that the ground is flat: leave it or --ground-model out");
   }
 }
 

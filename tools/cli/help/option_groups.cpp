@@ -18,34 +18,29 @@ struct Group {
 
 constexpr Group kGroups[] = {
     {"Input",
-     "--queries --set --length=METRES --from --to --format --file-format --paths-csv "
-     "--paths plan--home --home-local --contingencies --lattice --roadmap --old-map --patch --map "
-     "--plan check--tube export--tube submit--tube --moving --home-place --operation --population "
-     "--between "
-     "--alternatives --others --planner-cmd=COMMAND --frames view--poses --epoch=INSTANT "
-     "--departure=SECONDS --id=NAME --terrain --where=SQL --height-attribute=NAME "
-     "--types=TYPE,... --label-by --model-path=FOLDER --without=NAME --fence --keep-out "
-     "--keep-out-local --add "
-     "--zones --type=TYPE,... --days=COUNT --ground-model=FILE|METRES "
-     "--zero-sea=METRES --geoid-grid=GRID "
-     "--remove=IDS|FILE --far --metres --crs --units --vertical-units --height-units "
-     "--ground-of --vertical-error=METRES footprints--cell=METRES --default-height=METRES "
-     "--storey=METRES --classes cloud--origin footprints--origin=LAT,LON "
-     "mesh--origin --zero-height=METRES --up footprints--axes --frame --begin "
-     "--noise-points --unknown --allow-skipped --collisions-only import-trajectory--gap=METRES "
-     "--resolution=METRES --scale=FACTOR --all --verify"},
+     "--queries --set --length=METRES --from --to --format --file-format --paths-csv --paths "
+     "plan--home --home-local --contingencies --lattice --roadmap --old-map --patch --map --plan "
+     "check--tube export--tube submit--tube --moving --home-place --operation --population "
+     "--between --alternatives --others --planner-cmd=COMMAND --frames view--poses "
+     "--epoch=INSTANT --departure=SECONDS --id=NAME --terrain --where=SQL "
+     "--height-attribute=NAME --types=TYPE,... --label-by --model-path=FOLDER --without=NAME "
+     "--fence --keep-out --keep-out-local --add --zones --type=TYPE,... --days=COUNT "
+     "--ground-model=FILE|METRES --zero-sea=METRES --geoid-grid=GRID --remove=IDS|FILE --far "
+     "--metres --crs --units --vertical-units --height-units --ground-of --vertical-error=METRES "
+     "footprints--cell=METRES --default-height=METRES --storey=METRES --classes cloud--origin "
+     "footprints--origin=LAT,LON mesh--origin --zero-height=METRES --up footprints--axes --frame "
+     "--begin --noise-points --unknown --allow-skipped --collisions-only "
+     "import-trajectory--gap=METRES --resolution=METRES --scale=FACTOR --all --verify"},
     {"Output",
      "-o --output query--grid query--cell=METRES --at-height=METRES check--report=WORD "
-     "--report-file --json --degrees --profile "
-     "--profile-step=LENGTH --junit --certificate "
-     "--tree --corridor-file --python --table --show --unchecked --no-clearance --resample=METRES "
-     "export--rate=HERTZ export--axes --wpml-version --aircraft --hover --turns=METRES --lost-link "
-     "--gimbal=DEGREES --rally --fence-budget=CORNERS --fence-out --rally-out --params-out "
-     "--procedure export--fence export--return "
-     "--volumes --buffer=METRES --no-page --contingency --ground-buffer --reaction=SECONDS "
+     "--report-file --json --degrees --profile --profile-step=LENGTH --junit --certificate "
+     "--tree --corridor-file --python --table --show --unchecked --no-clearance "
+     "--resample=METRES export--rate=HERTZ export--axes --wpml-version --aircraft --hover "
+     "--turns=METRES --lost-link --gimbal=DEGREES --rally --fence-budget=CORNERS --fence-out "
+     "--rally-out --params-out --procedure export--fence export--return --volumes "
+     "--buffer=METRES --no-page --contingency --ground-buffer --reaction=SECONDS "
      "--stop-tilt=DEGREES --ground-level=METRES --speed=METRES/S export--tolerance=METRES "
-     "--title=WORDS --depth "
-     "--depth-unit=METRES --ids render--poses --clear-tube --log-rate=HERTZ"},
+     "--title=WORDS --depth --depth-unit=METRES --ids render--poses --clear-tube --log-rate=HERTZ"},
     {"Vehicle and room",
      "--vehicle --margin=METRES --spare=METRES --memory=BYTES --navigation --tracking"},
     {"Limits",
@@ -53,11 +48,10 @@ constexpr Group kGroups[] = {
      "--no-least-height"},  // and geom::kLimitKinds
     {"Drone and place",
      "--takeoff-place --origin --geoid=METRES --ground=METRES --takeoff-height=METRES "
-     "--heading=DEGREES "
-     "--acceptance=METRES --braking=METRES/S2 --return-height=METRES --terrain-height=METRES "
-     "--autopilot=WORD --params --drag=PER-SECOND check--ground-model=FILE|METRES "
-     "view--ground-model=FILE|METRES import-trajectory--ground-model=FILE|METRES "
-     "--terrain-error=METRES --surface-band=LOW,HIGH"},
+     "--heading=DEGREES --acceptance=METRES --braking=METRES/S2 --return-height=METRES "
+     "--terrain-height=METRES --autopilot=WORD --params --drag=PER-SECOND "
+     "check--ground-model=FILE|METRES view--ground-model=FILE|METRES "
+     "import-trajectory--ground-model=FILE|METRES --terrain-error=METRES --surface-band=LOW,HIGH"},
     {"Flights together",
      "--together --separation --separation-box --downwash --parked --max-delay=SECONDS --improve "
      "--nearer-than=METRES"},
@@ -66,24 +60,22 @@ constexpr Group kGroups[] = {
      "cloud--tolerance=METRES --outliers=COUNT,FACTOR --voxel=METRES --ground-by "
      "--ground-cell=METRES --ground-slope=METRES --ground-height=METRES --ground-step=METRES "
      "--ground-widest=METRES --min-points --seal=METRES --floor=METRES --ceiling=METRES "
-     "--pad=METRES --bounds --bloat-percent=PERCENT --inflate=METRES --tile=METRES --slack=METRES "
-     "map--step=METRES --agl=LOW,HIGH --close-unknown "
-     "--solid --height-step=METRES --by=METRES --size=METRES "
-     "--height=METRES"},
+     "--pad=METRES --bounds --bloat-percent=PERCENT --inflate=METRES --tile=METRES "
+     "--slack=METRES map--step=METRES --agl=LOW,HIGH --close-unknown --solid "
+     "--height-step=METRES --by=METRES --size=METRES --height=METRES"},
     {"Search and solver",
-     "--method --quality --spacing=METRES --connect=COUNT --node "
-     "plan--step=METRES --goal-bias=SHARE --iterations --radius=METRES --patience "
-     "plan--seconds=SECONDS --raw --snap-ends=METRES --bound=SHARE --layers --reach=METRES "
-     "--part=METRES --region --exact --solver --times --corridor --rho=SECONDS --yaw=WORD "
-     "--until-converged --precision=PERCENT --min-trials --trials --repeat "
-     "--ompl-seconds=SECONDS"},
+     "--method --quality --spacing=METRES --connect=COUNT --node plan--step=METRES "
+     "--goal-bias=SHARE --iterations --radius=METRES --patience plan--seconds=SECONDS --raw "
+     "--snap-ends=METRES --bound=SHARE --layers --reach=METRES --part=METRES --region --exact "
+     "--solver --times --corridor --rho=SECONDS --yaw=WORD --until-converged --precision=PERCENT "
+     "--min-trials --trials --repeat --ompl-seconds=SECONDS"},
     {"Simulated flight",
      "--wind --gusts=METRES/S --noise --controller --gains=WORD|FILE --feed-forward "
      "--delay=SECONDS --hover-time=SECONDS --settle=SECONDS --loop-period=SECONDS "
      "--mass-error=SHARE --proved-tube --wind-spread=METRES/S --gust-most=METRES/S "
      "--gust-lag=SECONDS --start-error=METRES --start-speed=METRES/S --drag-error=SHARE "
-     "--motor-lag-error=SHARE --inertia-error=SHARE --gain-error=SHARE --noise-most "
-     "--runs --tune --cost=WORDS"},
+     "--motor-lag-error=SHARE --inertia-error=SHARE --gain-error=SHARE --noise-most --runs "
+     "--tune --cost=WORDS"},
     {"Picture",
      "--view --camera --rate=HERTZ --at=SECONDS --image-size=WIDTHxHEIGHT --azimuth=DEGREES "
      "--elevation=DEGREES --shadows --samples"},

@@ -38,8 +38,7 @@ constexpr Page kPages[] = {
      "skyway-import data/downtown.csv | skyway-fly - data/samples/trajectories.jsonl --vehicle "
      "quad2kg --wind 2,0,0 -o flight.csv",
      "--output --report-file --proved-tube --vehicle --margin --wind --gusts --noise "
-     "--controller "
-     "--gains "
+     "--controller --gains "
      "--runs --tune --seed --threads"},
     {"skyway-footprints", "skyway-footprints data/samples/blocks.geojson -o blocks.boxmap",
      "--format --origin --terrain --height-attribute --default-height --allow-skipped --output "
@@ -52,13 +51,11 @@ constexpr Page kPages[] = {
      "skyway-import-trajectory data/samples/mission.plan --origin 37,-122,0 --ground 0 --vehicle "
      "quad2kg -o mission.jsonl",
      "--format --map --id --origin --geoid --ground --return-height --terrain-height --gap "
-     "--output "
-     "--vehicle --margin --takeoff-place --heading"},
+     "--output --vehicle --margin --takeoff-place --heading"},
     {"skyway-info", "skyway-info data/downtown.csv", ""},
     {"skyway-join",
      "skyway-fly data/samples/trajectories.jsonl --vehicle quad2kg --shard 1/1 -o s.1 && "
-     "skyway-join "
-     "s.1 -o flight.csv",
+     "skyway-join s.1 -o flight.csv",
      ""},
     {"skyway-lattice",
      "skyway-import data/downtown.csv | skyway-lattice - --spacing 10 --connect 26 --vehicle tello "
@@ -72,8 +69,7 @@ constexpr Page kPages[] = {
      "skyway-import data/downtown.csv | skyway-plan - --vehicle tello --from=-372,-149,12 "
      "--to=-205,-292,40 -o path.jsonl",
      "--from --to --queries --home --roadmap --lattice --output --vehicle --margin "
-     "--method "
-     "--quality --bound --threads"},
+     "--method --quality --bound --threads"},
     {"skyway-plot", "skyway-plot profile data/samples/trajectories.jsonl --id north -o profile.svg",
      ""},
     {"skyway-query",
@@ -83,8 +79,7 @@ constexpr Page kPages[] = {
     {"skyway-render",
      "skyway-import data/downtown.csv | skyway-render - --view overview -o overview.png",
      "--output --depth --vehicle --id --view --camera --rate --at --image-size --azimuth "
-     "--elevation "
-     "--shadows --threads"},
+     "--elevation --shadows --threads"},
     {"skyway-replan",
      "skyway-import data/downtown.csv | skyway-replan - data/samples/paths.jsonl -o paths.jsonl",
      "--paths --lattice --roadmap --output --vehicle --margin --quality --metres --threads --stats "
@@ -108,8 +103,7 @@ constexpr Page kPages[] = {
     {"skyway-view",
      "skyway-import data/downtown.csv | skyway-view - data/samples/trajectories.jsonl -o page.html",
      "--frames --poses --output --title --vehicle --margin --origin --ground --takeoff-place "
-     "--heading "
-     "--return-height"},
+     "--heading --return-height"},
 };
 
 }  // namespace

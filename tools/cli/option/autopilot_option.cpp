@@ -42,7 +42,7 @@ std::optional<double> drag_of(const std::optional<traj::VehicleProfile>& profile
 
 }  // namespace
 
-void AutopilotOptions::add_to(CLI::App& app) {
+void AutopilotOptions::add_reading_to(CLI::App& app) {
   app.add_option("--autopilot", word,
                  fmt::format("what flies a mission: {} (default any: what is proved holds for "
                              "each of them)",
@@ -55,6 +55,10 @@ void AutopilotOptions::add_to(CLI::App& app) {
                  "the autopilot's parameters: .params of PX4 or QGroundControl, .param of "
                  "ArduPilot, or a PX4 log")
       ->type_name("FILE");
+}
+
+void AutopilotOptions::add_to(CLI::App& app) {
+  add_reading_to(app);
   app.add_option(
          "--drag", drag,
          fmt::format("the airframe's drag over its mass, 1/s, of which autopilots overshoot "

@@ -18,6 +18,7 @@ struct AutopilotOptions {
   traj::Flier flier = {};           // --navigation and --tracking; settle() gives the rest
 
   void add_to(CLI::App& app);
+  void add_reading_to(CLI::App& app);  // of these, what decides how a file is read
   void add_tracking_to(CLI::App& app);
 
   // Reads the parameters; takes navigation and drag of the profile where no option says them. Once,

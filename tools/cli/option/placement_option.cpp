@@ -10,8 +10,7 @@ void add_origin(CLI::App& app, traj::Placement& placement) {
          "--origin",
          [&placement](const std::string& text) { placement.origin = origin_from(text); },
          "where on Earth the map's (0, 0, 0) is: degrees, and metres above the ellipsoid where "
-         "that "
-         "is known (default: what the map says)")
+         "that is known (default: what the map says)")
       ->type_name(kOriginForm);
   app.add_option("--geoid", placement.geoid,
                  "height of the sea level there above the ellipsoid, metres; converts heights "

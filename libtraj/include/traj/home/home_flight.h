@@ -36,6 +36,10 @@ struct HomeFlight {
 // path whose speed nobody says.
 HomeFlight read_home_flight(const geom::JsonFields& fields, const std::optional<double>& vmax);
 
+// Throws UsageError where `vmax` is given and none of the flights was a path: trajectories have
+// speeds of their own.
+void require_vmax_used(const std::optional<double>& vmax, bool any_path);
+
 // A stage for each leg, which lasts its length over `speed` (m/s, > 0), and one for each hold.
 std::vector<FlightStage> stages_of(const geom::PathRecord& path, double speed);
 

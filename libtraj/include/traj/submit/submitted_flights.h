@@ -26,6 +26,7 @@ struct FlightInScene {
   std::shared_ptr<const geom::CollisionScene> scene;
   std::unique_ptr<SubmittedFlight> flight;
   std::vector<std::string> notes = {};  // what its user should know before flying it
+  bool ends_at_home = false;  // a mission that ends with a return, at a height that no file says
 };
 
 // The files of a folder on which the reading of missions rests, by their texts, where the method
