@@ -121,6 +121,7 @@ traj::SubmissionMethod Options::method(const traj::Operation& by, const geom::Bo
   if (!between_.empty()) settled.take_between(between_);
   const auto profile = vehicle.profile();
   settled.autopilot_.settle(profile);
+  if (profile) traj::require_dimension(by, *profile, operation);
   traj::SubmissionMethod out = settled.asked_;
   const geom::AskedRoom room = vehicle.asked(profile);
   out.made_for = {hash, map_spec.frame.axes, room.vehicle, room.margin};

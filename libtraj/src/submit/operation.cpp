@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 
@@ -19,6 +20,7 @@ constexpr std::array<std::string_view, 8> kClasses = {"C0", "C1", "C2", "C3",
 constexpr double kLargestDimension = 100;  // m
 constexpr double kLargestMass = 1e5;       // kg
 constexpr double kLongestEndurance = 1e6;  // s
+constexpr double kAbove = 1 + 1e-9;        // more than rounding
 
 // One object of the file; `within` is "operator." or empty.
 class Members {
@@ -113,7 +115,37 @@ Uas read_uas(const nlohmann::json& json, std::string_view source) {
   return out;
 }
 
+// Of a built-in vehicle that this is.
+std::optional<Vec3> built_in_body(const geom::Vehicle& vehicle) {
+  const auto known = vehicle_named(vehicle.name);
+  return known && known->vehicle.half == vehicle.half ? known->body : std::nullopt;
+}
+
 }  // namespace
+
+std::optional<std::string> why_dimension_wrong(double dimension, const geom::Vehicle& vehicle,
+                                               std::optional<Vec3> body) {
+  const double room = 2 * std::hypot(vehicle.half.head<2>().minCoeff(), vehicle.half.z());
+  if (dimension > room * kAbove) {
+    return fmt::format(
+        "the operation says that two points of the vehicle are {:g} m apart (dimension_m), and the "
+        "box of {} that was proved has room for {:.3f} m: give a larger --vehicle",
+        dimension, vehicle.name, room);
+  }
+  if (!body) body = built_in_body(vehicle);
+  const double longest = body ? 2 * body->maxCoeff() : 0;
+  if (dimension * kAbove >= longest) return std::nullopt;
+  return fmt::format(
+      "the operation says that no two points of the vehicle are more than {:g} m apart "
+      "(dimension_m), and the body of {} is {:g} m long by its profile: say that much or more",
+      dimension, vehicle.name, longest);
+}
+
+void require_dimension(const Operation& operation, const VehicleProfile& profile,
+                       std::string_view source) {
+  const auto why = why_dimension_wrong(operation.uas.dimension, profile.vehicle, profile.body);
+  if (why) throw geom::InputError(source, {.says = *why});
+}
 
 Operation read_operation(std::string_view json, std::string_view source) {
   const nlohmann::json file = geom::parse_json(json, source);

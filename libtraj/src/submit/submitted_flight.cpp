@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geom/collision/collision.h"
+#include "traj/submit/operation.h"
 
 namespace traj {
 namespace {
@@ -20,6 +21,7 @@ SubmittedFlight::SubmittedFlight(const geom::CollisionScene& scene, const Submis
 std::string SubmittedFlight::refusal() const {
   if (!accepted(report_)) return "its check refuses it";
   if (const auto why = why_no_times()) return *why;
+  if (const auto why = why_dimension_wrong(method_.risk.dimension, scene_.vehicle())) return *why;
   if (!speed()) return "no limit on its speed is proved, which its volumes need: give --vmax";
   if (const auto& energy = method_.energy; energy && duration() > flying_time(*energy)) {
     return fmt::format(

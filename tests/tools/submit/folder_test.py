@@ -101,7 +101,7 @@ def make_over_terrain(where):
     levels = struct.pack(">4d2i", 46.5, 7.0, 0.5, 0.5, 3, 3) + struct.pack(">9f", *[48.0] * 9)
     (where / "sea.gtx").write_bytes(levels)
     made = tool("submit", hill, where / "town.wpl", "--operation", source / "data/samples/operation.json", "--vehicle", "quad2kg",
-                "--params", where / "slow.param", "--ground", "547", "--origin", "46.979985,7.450026,590", "--return-height", "80",
+                "--params", where / "slow.param", "--ground", "547", "--origin", "46.979985,7.450026,590",
                 "--geoid-grid", where / "sea.gtx", "--vmax", "11", "--navigation", "0.2,0.3", "--between", f"{EPOCH},2026-05-04T07:00:00Z",
                 "--ground-model", ground, "--terrain-error", "3", "--ground-buffer", "ballistic", "--population", tif, "--no-page",
                 "-q", "-o", where / "terrain")
@@ -287,6 +287,39 @@ def hide_doubts(folder, where):
         (mutant / name).write_text(text, encoding="utf-8")
     sign(mutant)
     expect_refused(mutant, "without doubts", "its doubts are not those of the map's history", script=False)
+
+
+def change_people(folder, where):
+    """Other numbers of people than the cells below have, and cells that a raster does not have."""
+    text = (folder / "claims.jsonl").read_text(encoding="utf-8")
+    people, unknown = (json.loads(text)[key] for key in ("people", "people_unknown"))
+    said = re.search('"people":([^,]*)', text)[1]
+    for new in (2 * people + 1, people / 2):
+        mutant = copy(folder, where)
+        set_text(mutant / "claims.jsonl", (f'"people":{said}', f'"people":{new}'))
+        sign(mutant)
+        expect_refused(mutant, f"{new} people in place of {people}")
+    mutant = copy(folder, where)
+    set_text(mutant / "claims.jsonl", (f'"people_unknown":{unknown}', f'"people_unknown":{unknown + 1000}'))
+    sign(mutant)
+    expect_refused(mutant, "more cells without a number")
+    rows = (folder / "population.csv").read_text(encoding="utf-8").splitlines()
+    fewer = [",".join([*row.split(",")[:2], "-1", *row.split(",")[3:]]) for row in rows[1:]]
+    for what, cells in (("fewer people than none", fewer), ("a cell twice", [*rows[1:], rows[-1]]), ("without a cell", rows[1:-1])):
+        mutant = copy(folder, where)
+        (mutant / "population.csv").write_text("\n".join([rows[0], *cells]) + "\n", encoding="utf-8")
+        sign(mutant)
+        expect_refused(mutant, what, "population.csv")
+
+
+def grow_vehicle(folder, where):
+    """The operation says a vehicle for which the boxes have no room, or one that is smaller than its profile."""
+    for size, script in (("1.4", True), ("0.69", False)):
+        mutant = copy(folder, where)
+        for name, key in (("operation.json", '"dimension_m": '), ("submission.json", '"dimension":')):
+            set_text(mutant / name, (f"{key}0.7", f"{key}{size}"))
+        sign(mutant)
+        expect_refused(mutant, f"a vehicle of {size} m", "the operation says that", script=script)
 
 
 def raise_ground(folder, where):
@@ -511,6 +544,7 @@ def main():
                 shrink(folder, where, kind, key)
         raise_ground(folders[0], where)
         shrink_vehicle(folders[0], where)
+        grow_vehicle(folders[0], where)
         lose_vehicle(folders[0], where)
         change_values(folders[0], where, "operation.json")
         change_values(folders[0], where, "flights.jsonl", step=29, keep=("solver", "yaw"))
@@ -541,6 +575,7 @@ def main():
             hide_doubts(terrain, where)
             change_files(terrain, where)
             change_ground(terrain, where)
+            change_people(terrain, where)
             # Looser limits of the vehicle are true of a mission, too; it ends without a return, and its sea level is the grid's.
             change_values(terrain, where, "submission.json", keep=("volumes", "limits", "return_height", "geoid"))
             change_values(terrain, where, "claims.jsonl")

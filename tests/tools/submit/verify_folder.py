@@ -13,14 +13,18 @@ Python's standard library is enough. The script works out
   of the formulas;
 - the people in all cells of population.csv that a ground risk buffer touches, how many of these have no number,
   and that the cells hold every buffer whole;
-- of claims.jsonl all but clearances and returns, which the verdict names; no flight is below the ground.
+- of claims.jsonl all but clearances and returns, which the verdict names; no flight is below the ground;
+- that the box of each vehicle has room for two points as far apart as the operation says.
 
-It reads no page: summary.html and page.html count as files alone, and the verdict names them. skyway-check
-FOLDER proves that summary.html says what the other files say.
+It reads no page: summary.html and page.html count as files alone, and the verdict names them, as it does zones
+and doubts of submission.json, which skyway-check FOLDER compares with the map's history. skyway-check FOLDER
+proves that summary.html says what the other files say. Nothing in the folder shows that population.csv is of
+the raster that submission.json names.
 
 It does not know how autopilots fly: of a mission (a flight of the kind "mission") it follows the files, the
-sizes of contingency volumes and ground risk buffers, and the people, but not where the mission is flown, its
-clearance and its time. It says so, and skyway-check FOLDER proves these.
+sizes of contingency volumes and ground risk buffers for the speed that the claims say, and the people, but not
+where and how fast the mission is flown, its clearance, its time and its energy. It says so, and skyway-check
+FOLDER proves these.
 
 Places are brought to metres by a projection of its own (an equirectangular one with the ellipsoid's two
 radii at the middle of a polygon), so lengths agree to some centimetres: TOLERANCE says how much is let
@@ -43,6 +47,7 @@ from fractions import Fraction
 GRAVITY = 9.80665
 TOLERANCE = 0.05  # m
 INSTANTS = 24  # of each segment
+BEND = 4e-3  # of a cell's longest side: more than its edges may bend
 A, F = 6378137.0, 1 / 298.257223563
 E2 = F * (2 - F)
 
@@ -159,10 +164,10 @@ def room_around(outer, inner):
     return min(-max((p[0] - a[0]) * n[0] + (p[1] - a[1]) * n[1] for p in inner) for a, n in outward(outer))
 
 
-def disjoint(one, other):
+def disjoint(one, other, room=0.0):
     for ring, points in ((one, other), (other, one)):
         for a, n in outward(ring):
-            if min((p[0] - a[0]) * n[0] + (p[1] - a[1]) * n[1] for p in points) > 0:
+            if min((p[0] - a[0]) * n[0] + (p[1] - a[1]) * n[1] for p in points) > room:
                 return True
     return False
 
@@ -277,14 +282,24 @@ def check_risk(risk, nominal, off_nominal, method, claims):
 
 
 # ---- people
+def require_cells(rows):
+    """Each row has a place and no fewer than nobody, and together they are all cells of some rows and columns."""
+    file, known = "population.csv", {(int(fields[0]), int(fields[1])) for fields in rows}
+    require(all(len(fields) == 11 for fields in rows), file, "a line has not 11 fields")
+    require(all(fields[2] == "" or 0 <= float(fields[2]) <= 1e10 for fields in rows), file, "people are no number from 0 to 1e10")
+    sides = [max(place) - min(place) + 1 for place in zip(*known)]
+    require(known and len(rows) == len(known) == math.prod(sides), file, "a cell is missing or comes twice")
+
+
 def population(folder, origin):
     """The cells of a population raster, and the edges that only one of them has."""
     path = os.path.join(folder, "population.csv")
     if not os.path.exists(path):
         return None
     cells, edges = [], Counter()
-    for line in open(path, encoding="utf-8").read().splitlines()[1:]:
-        fields = line.split(",")
+    rows = [line.split(",") for line in open(path, encoding="utf-8").read().splitlines()[1:]]
+    require_cells(rows)
+    for fields in rows:
         places = [(float(fields[4 + 2 * i]), float(fields[3 + 2 * i])) for i in range(4)]
         nodes = [(round(lat, 8), round(lng, 8)) for lat, lng in places]
         edges.update(frozenset(pair) for pair in zip(nodes, nodes[1:] + nodes[:1]))
@@ -298,26 +313,34 @@ def extent(ring):
     return min(p[0] for p in ring), max(p[0] for p in ring), min(p[1] for p in ring), max(p[1] for p in ring)
 
 
-def touching(ring, others):
-    """Those of the others that the ring does not keep apart from."""
+def touching(ring, others, room=0.0):
+    """Those of the others that the ring comes nearer to than `room`."""
     w, e, s, n = extent(ring)
     return [one for one in others
-            if not (one[-3] < w or e < one[-4] or one[-1] < s or n < one[-2] or disjoint(one[0], ring))]
+            if not (one[-3] < w - room or e < one[-4] - room or one[-1] < s - room or n < one[-2] - room
+                    or disjoint(one[0], ring, room))]
+
+
+def counts(cells):
+    """The people in these cells, and how many of them have no number."""
+    people = [cell[1] for cell in cells.values()]
+    return sum(one or 0 for one in people), people.count(None)
 
 
 def people_below(population, buffers, file):
-    """The people in all cells that a buffer touches, and how many have no number; cells must hold each buffer."""
+    """The counts of all cells that a buffer touches, and of those that are as near as cells may bend; cells must hold each buffer."""
     cells, border = population
-    below = {}
+    below, near = {}, {}
+    widest = max(math.dist(a, b) for cell in cells for a, b in zip(cell[0], cell[0][1:] + cell[0][:1]))
     for buffer in buffers:
         ring = buffer["ring"]
         touched = touching(ring, cells)
         middle = [sum(p[axis] for p in ring) / len(ring) for axis in (0, 1)]
         held = any(room_around(cell[0], [middle]) >= -1e-6 for cell in touched)
         require(held and not touching(ring, border), file, "the cells do not hold a ground risk buffer")
-        below.update((id(cell), cell[1]) for cell in touched)
-    counts = list(below.values())
-    return sum(people or 0 for people in counts), counts.count(None)
+        below.update((id(cell), cell) for cell in touched)
+        near.update((id(cell), cell) for cell in touching(ring, cells, 2 * TOLERANCE + BEND * widest))
+    return counts(below), counts(near)
 
 
 # ---- all of it
@@ -352,6 +375,19 @@ def check_claims(record, claims, method, certificate):
         require(claims["energy"] <= energy["capacity"] * (1 - energy["reserve"]), file, "the battery does not last")
     if "endurance" in method:
         require(duration <= method["endurance"], file, "it flies longer than the vehicle can")
+
+
+def check_method(method, claims):
+    """Its numbers are such that skyway-check reads them, and the operation's dimension fits into the box of each vehicle."""
+    file, risk = "submission.json", method["risk"]
+    stops = ["position_error", "holding_error", "map_error", "altitude_error", "reaction"] if risk["contingency"] == "stop" else []
+    sizes = [method["around"], *(risk[key] for key in ["dimension", *stops])]
+    require(all(0 <= size <= 1e4 for size in sizes), file, "a size is no number from 0 to 10000")
+    require(not stops or 1e-3 <= risk["tilt"] <= 1.55, file, "its tilt is no angle from 0.001 to 1.55 rad")
+    require(-1e5 <= method["floor"] <= 1e5, file, "its floor is no height from -100000 to 100000 m")
+    for one in claims:
+        room = 2 * math.hypot(min(one["half"][:2]), one["half"][2])
+        require(risk["dimension"] <= room * (1 + 1e-9), file, f"the box of {one['id']} has no room for a vehicle of {risk['dimension']} m")
 
 
 def follow(folder, script, names):
@@ -450,6 +486,8 @@ def check(folder):
     uas = json.load(open(os.path.join(folder, "operation.json"), encoding="utf-8"))["uas"]
     same = [method["risk"]["dimension"], method.get("endurance")] == [uas["dimension_m"], uas.get("endurance_s")]
     require(same, "submission.json", "its dimension and endurance are not those of the operation")
+    check_method(method, claims)
+    require(("population" in submission) == ("population.csv" in found), "submission.json", "population.csv and its source are not both there")
     certificates = check_certificates(folder, found)
     check_pairs(folder, found, submission, len(records))
     check_tubes(folder, method, records, claims)
@@ -464,10 +502,17 @@ def check(folder):
         check_sizes(one, method, nominal, buffers)
         require(("people" in one) == (cells is not None), "claims.jsonl", "people without a raster of them, or a raster without people")
         if cells is not None:
-            below, unknown = people_below(cells, buffers, "population.csv")
-            require(one["people"] >= below - 1e-6 * max(1, below), "claims.jsonl", f"{below} people are below {one['id']}")
-            require(one["people_unknown"] >= unknown, "claims.jsonl", f"{unknown} cells below {one['id']} have no number")
-    unread = [key for key in ("clearance", "returns") if any(key in one and one["kind"] == "trajectory" for one in claims)]
+            (below, unknown), (most, most_unknown) = people_below(cells, buffers, "population.csv")
+            hair = 1e-6 * max(1, most)
+            require(below - hair <= one["people"] <= most + hair, "claims.jsonl", f"{below} people are below {one['id']}")
+            require(unknown <= one["people_unknown"] <= most_unknown, "claims.jsonl", f"{unknown} cells below {one['id']} have no number")
+    unread = ["zones and doubts of the map"]
+    if any("clearance" in one and one["kind"] == "trajectory" for one in claims):
+        unread.append("clearance")
+    if method["risk"]["contingency"] == "return":
+        unread.append("returns and the off-nominal volumes that hold them")
+    if cells is not None:
+        unread.append(f"that population.csv is of {submission['population']['name']}")
     return claims, unread + sorted(path for path in found if path.endswith(".html"))
 
 
@@ -477,7 +522,7 @@ def verdict(claims, pages):
     if not missions:
         return f"{len(claims)} flights: files, certificates, volumes and claims hold{unread}"
     return f"{len(claims)} flights, missions among them: {missions}; files, certificates and sizes hold; only skyway-check FOLDER " \
-           f"proves where a mission is flown, its clearance and its time{unread}"
+           f"proves where and how fast a mission is flown, its clearance, its time and its energy{unread}"
 
 
 def main():

@@ -53,6 +53,25 @@ TEST(Operation, NamesTheMemberThatIsWrong) {
   EXPECT_EQ(fault_of(with(kGood, R"("uas":{)", R"("uas":[],"x":{)")).says.substr(0, 1), "x");
 }
 
+TEST(WhyDimensionWrong, HoldsItAgainstTheBoxAndTheBody) {
+  const geom::Vehicle box{"box", {0.3, 0.4, 0.1}};
+  EXPECT_FALSE(traj::why_dimension_wrong(0.63, box));
+  EXPECT_FALSE(traj::why_dimension_wrong(0.1, box)) << "a box may be larger than what it holds";
+  EXPECT_NE(traj::why_dimension_wrong(0.64, box)->find("has room for 0.632 m"), std::string::npos);
+  EXPECT_FALSE(traj::why_dimension_wrong(0.5, box, geom::Vec3(0.2, 0.25, 0.1)));
+  EXPECT_NE(traj::why_dimension_wrong(0.49, box, geom::Vec3(0.2, 0.25, 0.1))->find("0.5 m long"),
+            std::string::npos);
+}
+
+TEST(WhyDimensionWrong, KnowsTheBodiesOfBuiltInVehicles) {
+  const traj::VehicleProfile quad = *traj::vehicle_named("quad2kg");
+  EXPECT_FALSE(traj::why_dimension_wrong(0.7, quad.vehicle));
+  EXPECT_TRUE(traj::why_dimension_wrong(0.69, quad.vehicle));
+  geom::Vehicle other = quad.vehicle;
+  other.half *= 1.5;
+  EXPECT_FALSE(traj::why_dimension_wrong(0.69, other)) << "only the name is the same";
+}
+
 TEST(Operation, HasNoMembersThatNobodyReads) {
   EXPECT_NE(fault_of(with(kGood, R"("model")", R"("weight":1,"model")")).says.find("uas.weight"),
             std::string::npos);

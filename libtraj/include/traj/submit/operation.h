@@ -16,7 +16,13 @@
 #include <string>
 #include <string_view>
 
+#include "geom/base/vec3.h"
+#include "geom/vehicle/vehicle.h"
+#include "traj/flight/vehicle_profile.h"
+
 namespace traj {
+
+using geom::Vec3;
 
 struct Operator {
   std::string name;
@@ -44,5 +50,14 @@ struct Operation {
 // Throws geom::InputError(source, …) that names the member which is missing, not known, empty, of
 // another type or out of range.
 Operation read_operation(std::string_view json, std::string_view source);
+
+// Why no vehicle of this box is as large as an operation says: the box has no room for two points
+// `dimension` m apart at every yaw, or a side of the body alone (half sizes; of a built-in vehicle
+// its own) is longer, which would make ground risk buffers too narrow. Nothing if it may be.
+std::optional<std::string> why_dimension_wrong(double dimension, const geom::Vehicle& vehicle,
+                                               std::optional<Vec3> body = std::nullopt);
+// Throws geom::InputError(source, …) with that of a profile, whose body is known.
+void require_dimension(const Operation& operation, const VehicleProfile& profile,
+                       std::string_view source);
 
 }  // namespace traj
