@@ -16,6 +16,9 @@ void tell(const Common& common, std::string_view tool, std::string_view message)
 // The same of something that is refused: red on a terminal.
 void tell_no(const Common& common, std::string_view tool, std::string_view message);
 
+// Of `count` records that were not found or solved, and so are not shown; nothing of none.
+void tell_left_out(const Common& common, std::string_view tool, std::size_t count);
+
 // What a reader says of a file, on stderr. `common` must outlive it.
 geom::Notes notes_of(const Common& common, std::string tool);
 

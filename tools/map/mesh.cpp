@@ -7,6 +7,7 @@
 
 #include "cli/content/contents.h"
 #include "cli/file/files.h"
+#include "cli/tell.h"
 #include "plan/sampling/tree_parts.h"
 #include "traj/record/record_parts.h"
 #include "verbs.h"
@@ -64,7 +65,7 @@ Verb mesh_verb(CLI::App& app, const cli::Common& common, const char* name, const
             const geom::BoxMap map = open(files->map, common);
             cli::Contents contents = cli::read_contents(more->inputs, kKinds);
             cli::require_same_map(contents, &map, more->metres);
-            cli::drop_failed(contents);
+            cli::tell_left_out(common, "skyway-map", cli::drop_failed(contents));
             const auto parts = parts_of(map, contents, more->radius);
             cli::OutputFile out(files->output, cli::OutputKind::artefact);
             write(out.stream(), parts);

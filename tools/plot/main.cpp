@@ -49,11 +49,7 @@ cli::Contents read(const Options& options, const geom::BoxMap* map,
                    const cli::ContentKinds& kinds = {}) {
   cli::Contents contents = cli::read_contents(options.inputs, kinds);
   if (map) cli::require_same_map(contents, map, options.metres);
-  if (const std::size_t failed = cli::drop_failed(contents)) {
-    cli::tell(options.common, "skyway-plot",
-              fmt::format("{} no path or trajectory",
-                          geom::counted(failed, "record holds", "records hold")));
-  }
+  cli::tell_left_out(options.common, "skyway-plot", cli::drop_failed(contents));
   const auto other = [&](const auto& read) {
     return !options.id.empty() && read.record.id != options.id;
   };
@@ -225,7 +221,7 @@ std::string home(const Options& options) {
                                 .expected = "a report, a way home, a trajectory or a flight log"};
   cli::Contents contents = cli::read_contents(options.inputs, kinds);
   cli::require_same_map(contents, nullptr);
-  cli::drop_failed(contents);
+  cli::tell_left_out(options.common, "skyway-plot", cli::drop_failed(contents));
   std::vector<traj::figure::HomeFlight> flights =
       plot::home_flights(contents, options.id.empty() ? std::nullopt : std::optional(options.id));
   first_of(flights, options,

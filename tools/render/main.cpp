@@ -8,7 +8,6 @@
 #include "cli/tell.h"
 #include "geom/base/error.h"
 #include "geom/picture/film.h"
-#include "geom/text/counted.h"
 #include "options.h"
 #include "shoot.h"
 #include "traj/flight/moving_vehicle.h"
@@ -118,11 +117,7 @@ int main(int argc, char** argv) {
     }
     cli::Contents contents = cli::read_contents(options.inputs);
     cli::require_same_map(contents, &map, options.metres);
-    if (const std::size_t failed = cli::drop_failed(contents)) {
-      cli::tell(common, "skyway-render",
-                fmt::format("{} no path or trajectory",
-                            geom::counted(failed, "record holds", "records hold")));
-    }
+    cli::tell_left_out(common, "skyway-render", cli::drop_failed(contents));
     const geom::Axes axes = map.spec().frame.axes;
     const auto motions = motions_of(contents, axes);
     const traj::MovingVehicle* motion = flown(motions, options);
