@@ -342,6 +342,16 @@ def shrink_vehicle(folder, where):
         expect_refused(mutant, f"{new} in certificates and claims")
 
 
+def say_twice(folder, where):
+    """A key of two values, of which readers see one or the other, and a word in place of a number."""
+    for name, old, new in (("claims.jsonl", '"margin":1,', '"margin":2,"margin":1,'), ("operation.json", '"class": "C3",', '"class": "C1", "class": "C3",'),
+                           ("claims.jsonl", '"margin":1,', '"margin":NaN,')):
+        mutant = copy(folder, where)
+        set_text(mutant / name, (old, new))
+        sign(mutant)
+        expect_refused(mutant, new, name)
+
+
 def lose_vehicle(folder, where):
     """Then nobody knows what flies its missions."""
     mutant = copy(folder, where)
@@ -545,6 +555,7 @@ def main():
         raise_ground(folders[0], where)
         shrink_vehicle(folders[0], where)
         grow_vehicle(folders[0], where)
+        say_twice(folders[0], where)
         lose_vehicle(folders[0], where)
         change_values(folders[0], where, "operation.json")
         change_values(folders[0], where, "flights.jsonl", step=29, keep=("solver", "yaw"))

@@ -63,8 +63,28 @@ def require(holds, file, what):
 
 # ---- files
 
+def once(pairs):
+    """An object whose keys all differ: of two members of one key, readers see one or the other."""
+    if len({key for key, _ in pairs}) < len(pairs):
+        raise ValueError(f"a key stands twice in {[key for key, _ in pairs]}"[:100])
+    return dict(pairs)
+
+
+def no_number(word):
+    raise ValueError(f"{word} is no number")
+
+
+def parsed(text):
+    return json.loads(text, object_pairs_hook=once, parse_constant=no_number)
+
+
+def parsed_file(folder, name):
+    with open(os.path.join(folder, name), encoding="utf-8") as file:
+        return parsed(file.read())
+
+
 def listed(folder):
-    manifest = json.load(open(os.path.join(folder, "manifest.json"), encoding="utf-8"))
+    manifest = parsed_file(folder, "manifest.json")
     names = [one["path"] for one in manifest["files"]]
     require(len(set(names)) == len(names), "manifest.json", "a file comes twice")
     return {one["path"]: one for one in manifest["files"]}
@@ -93,7 +113,7 @@ def lines(folder, name):
     path = os.path.join(folder, name)
     if not os.path.exists(path):
         return []
-    return [json.loads(line) for line in open(path, encoding="utf-8") if line.strip()]
+    return [parsed(line) for line in open(path, encoding="utf-8") if line.strip()]
 
 
 # ---- places
@@ -184,7 +204,7 @@ def ring_of(places, origin):
 
 def intent_volumes(folder, name, origin, key):
     out = []
-    for one in json.load(open(os.path.join(folder, name), encoding="utf-8")).get(key, []):
+    for one in parsed_file(folder, name).get(key, []):
         space = one["volume"]
         places = [(v["lat"], v["lng"]) for v in space["outline_polygon"]["vertices"]]
         out.append({"ring": ring_of(places, origin), "low": space["altitude_lower"]["value"],
@@ -195,7 +215,7 @@ def intent_volumes(folder, name, origin, key):
 
 def risk_volumes(folder, name, origin):
     out = {"flight geography": [], "contingency volume": [], "ground risk buffer": []}
-    for one in json.load(open(os.path.join(folder, name), encoding="utf-8"))["features"]:
+    for one in parsed_file(folder, name)["features"]:
         said = one["properties"]
         places = [(lat, lng) for lng, lat in one["geometry"]["coordinates"][0][:-1]]
         out[said["volume"]].append({"ring": ring_of(places, origin), "low": said["lower_m"],
@@ -483,7 +503,7 @@ def check(folder):
     require(len({one["id"] for one in claims}) == len(claims), "claims.jsonl", "an id comes twice")
     require(len(claims) == submission["flights"], "claims.jsonl", "flights are missing")
     require(set(records) == {c["id"] for c in claims if c["kind"] == "trajectory"}, "claims.jsonl", "its flights are others")
-    uas = json.load(open(os.path.join(folder, "operation.json"), encoding="utf-8"))["uas"]
+    uas = parsed_file(folder, "operation.json")["uas"]
     same = [method["risk"]["dimension"], method.get("endurance")] == [uas["dimension_m"], uas.get("endurance_s")]
     require(same, "submission.json", "its dimension and endurance are not those of the operation")
     check_method(method, claims)
