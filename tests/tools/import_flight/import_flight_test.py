@@ -265,6 +265,8 @@ def check_verdicts(folder, flights):
     log = ("\n".join(lines) + "\n").encode()
     for option in (["--sampled"], ["--require-clearance", "0.5"]):
         code, out, err = run("skyway-check", folder / "m", "-", "--vehicle", "box:1,1,1", "-q", *option, data=log)
+        expect("verdicts", code == 1 and '"ok":true' not in out, "a log that does not say its map")
+        code, out, err = run("skyway-check", folder / "m", "-", "--vehicle", "box:1,1,1", "-q", "--override", *option, data=log)
         reports = [json.loads(line) for line in out.splitlines()]
         expect("verdicts", code == (0 if all(r["ok"] for r in reports) else 1) and len(reports) == flights, (option, code, err))
         for report in reports:
