@@ -26,7 +26,7 @@ TrajectoryRecord plan(const std::string& id, double seconds) {
 }
 
 FlightLog log(const std::string& id) {
-  FlightLog out{.id = id};
+  FlightLog out{.id = id, .map = scene().map().hash()};
   out.samples.push_back({.time = 0, .position = {0, 0, 5}});
   out.samples.push_back({.time = 1, .position = {0, 3, 5}});
   return out;
@@ -50,6 +50,15 @@ TEST(FlightLogCheck, HoldsALogAgainstThePlanOfItsId) {
   const SampledReport report = check.judge(log("a"), scene());
   ASSERT_TRUE(report.plan);
   EXPECT_NEAR(report.plan->furthest.value, 3, 1e-9);
+}
+
+TEST(FlightLogCheck, AcceptsALogWithoutAMapOnlyWhereItsRuleSaysSo) {
+  FlightLog one = log("a");
+  one.map.clear();
+  EXPECT_EQ(reason_of(FlightLogCheck({.sampled = true}).judge(one, scene()), scene().map()),
+            "no_map");
+  const FlightLogCheck lenient({.sampled = true, .any_map = true});
+  EXPECT_EQ(reason_of(lenient.judge(one, scene()), scene().map()), "");
 }
 
 TEST(FlightLogCheck, AcceptsNoLogOfOnePlace) {
