@@ -186,29 +186,38 @@ struct Range {
 // How far Horner's rule in single precision may be from the polynomial over [0, duration], where
 // each coefficient was rounded `roundings` times before.
 double horner_error(const Powers& c, double duration, int roundings) {
+  constexpr int kAtOnce = 4;  // lanes whose sums do not wait for each other
+  static_assert(kParts % (kAtOnce * kLanes) == 0);
   const auto found = [&]() SKYWAY_FOUR_LANES {
     Lanes worst{};
     auto fits = worst == worst;
-    for (int part = 0; part < kParts; part += kLanes) {
-      Lanes first;
-      for (int i = 0; i < kLanes; ++i) first[i] = part + i;
-      const Lanes low = duration * first / kParts;
-      const Lanes high = duration * (first + 1) / kParts;
-      Range y{c[kDegree] + Lanes{}, c[kDegree] + Lanes{}};
+    for (int part = 0; part < kParts; part += kAtOnce * kLanes) {
+      Lanes low[kAtOnce], high[kAtOnce], error[kAtOnce];
+      Range y[kAtOnce];
       Lanes size, times;
-      y.size(size);
-      Lanes error = roundings * kUnit * size;
-      for (int k = kDegree - 1; k >= 0; --k) {
-        y.multiply(low, high);
-        y.size(times);
-        const Lanes of_product = error * high * (1 + kUnit) + kUnit * times + kSmallest;
-        y = {y.low + c[k], y.high + c[k]};
-        y.size(size);
-        const Lanes before = of_product + roundings * kUnit * std::abs(c[k]);
-        error = before + kUnit * (size + before) + kSmallest;
-        fits &= times + size + error <= kLargest;
+      for (int i = 0; i < kAtOnce; ++i) {
+        const Lanes first = part + i * kLanes + Lanes{0, 1, 2, 3};
+        low[i] = duration * first / kParts;
+        high[i] = duration * (first + 1) / kParts;
+        y[i] = {c[kDegree] + Lanes{}, c[kDegree] + Lanes{}};
+        y[i].size(size);
+        error[i] = roundings * kUnit * size;
       }
-      worst = worst > error ? worst : error;
+      for (int k = kDegree - 1; k >= 0; --k) {
+        const double own = roundings * kUnit * std::abs(c[k]);
+#pragma GCC unroll 4
+        for (int i = 0; i < kAtOnce; ++i) {
+          y[i].multiply(low[i], high[i]);
+          y[i].size(times);
+          const Lanes of_product = error[i] * high[i] * (1 + kUnit) + kUnit * times + kSmallest;
+          y[i] = {y[i].low + c[k], y[i].high + c[k]};
+          y[i].size(size);
+          const Lanes before = of_product + own;
+          error[i] = before + kUnit * (size + before) + kSmallest;
+          fits &= times + size + error[i] <= kLargest;
+        }
+      }
+      for (const Lanes& one : error) worst = worst > one ? worst : one;
     }
     double all = 0;
     for (int i = 0; i < kLanes; ++i) all = fits[i] ? std::max(all, worst[i]) : kInfinity;
