@@ -3,7 +3,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "gdal_whole.h"
+#include "gdal_content.h"
 #include "geom/text/counted.h"
 #include "geom/text/text_table.h"
 #include "gml_words.h"

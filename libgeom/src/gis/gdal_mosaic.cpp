@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "gdal_whole.h"
+#include "gdal_content.h"
 #include "vrt_sources.h"
 
 namespace geom::gis {

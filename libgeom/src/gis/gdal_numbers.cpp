@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "gdal_content.h"
 #include "gdal_sql.h"
 #include "gdal_whole.h"
 #include "geom/import/building_height.h"

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "gdal_cells.h"
+#include "gdal_content.h"
 #include "gdal_handles.h"
 #include "gdal_reference.h"
 #include "gdal_whole.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "gdal_content.h"
 #include "gdal_sql.h"
-#include "gdal_whole.h"
 #include "geom/text/text_table.h"
 
 namespace geom::gis {

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "gdal_content.h"
 #include "geom/base/error.h"
 #include "geom/text/counted.h"
 #include "geom/text/parse_json.h"
@@ -243,17 +244,6 @@ void require_whole_format(std::string_view driver, const std::string& name) {
 }
 
 }  // namespace
-
-std::string content_of(const std::string& path, const std::string& name) {
-  GByte* bytes = nullptr;
-  vsi_l_offset size = 0;
-  if (!gdal().read_whole(nullptr, path.c_str(), &bytes, &size, -1)) {
-    throw InputError(name,
-                     {.expected = "a file that can be read whole", .found = "one that cannot"});
-  }
-  const BytesHandle<GByte> owner(bytes);
-  return {reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(size)};
-}
 
 std::vector<std::string> kml_texts(const std::string& path, const std::string& name) {
   if (!EQUAL(gdal().extension_of(path.c_str()), "kmz")) return {content_of(path, name)};

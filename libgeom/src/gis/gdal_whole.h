@@ -22,9 +22,6 @@ std::size_t require_whole(const DatasetHandle& dataset, const std::string& path,
 // The same of a shapefile: `path` is its .shp.
 void require_whole_shapefile(const DatasetHandle& dataset, const std::string& name);
 
-// All bytes of a file that GDAL opens. Throws InputError(name, …) where it cannot.
-std::string content_of(const std::string& path, const std::string& name);
-
 // The text of a KML file; of a KMZ those of all KML files in it, of which GDAL reads one.
 std::vector<std::string> kml_texts(const std::string& path, const std::string& name);
 
