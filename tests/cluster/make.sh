@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # make.sh BIN_DIR CHAIN_DIR CITY: the Makefile of the chain, on a table of boxes, gives, in parallel, the bytes of a single run; a second make does no
-# work, and a damaged or missing shard alone is made anew.
+# work, a damaged or missing shard alone is made anew, and so is all that another chain.conf, query or table changes.
 set -euo pipefail
 export PATH="$1:$PATH"
 chain=$2
@@ -35,4 +35,20 @@ truncate -s -1 shards/paths.1 && touch -d yesterday shards/paths.1
 run
 sha256sum -c --quiet sums
 ! stat -c '%n %i' shards/* | diff - before | grep '^>' | grep -v -e 'lattice.2 ' -e 'paths.1 '
+
+single_run() {
+  skyway-import -q city.csv | cmp - city.boxmap
+  skyway-plan city.boxmap --queries queries.jsonl --vehicle "$1" --snap-ends 60 -q >other.jsonl || [ $? -eq 1 ]
+  [ "$(wc -l <other.jsonl)" -eq "$(wc -l <reports.jsonl)" ]
+  grep -c "\"vehicle\":{\"name\":\"$1\"" reports.jsonl | grep -qx "$(wc -l <reports.jsonl)"
+}
+sed -i 's/^VEHICLE=.*/VEHICLE="box:1,1,2"/' chain.conf
+run
+single_run box:1,1,2
+echo '{"id":"q8","from":[-280,-108,30],"to":[280,184,20]}' >>queries.jsonl
+run
+single_run box:1,1,2
+sed '$p' city.csv | sed '$s/^[^,]*,[^,]*/500,500/' >c && mv c city.csv
+run
+single_run box:1,1,2
 echo "same bytes"

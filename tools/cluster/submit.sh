@@ -23,8 +23,17 @@ submit() {
   sbatch "${options[@]}" --output="$log" "$@" --wrap "exec '$here/job.sh' '$folder' $step"
 }
 
+# Whether there is a map, and neither chain.conf nor a file that its command names is newer.
+map_is_made() {
+  local word
+  # shellcheck disable=SC2086 # the words of the command
+  for word in chain.conf $MAP; do
+    [ ! -e "$word" ] || [ city.boxmap -nt "$word" ] || return 1
+  done
+}
+
 # Later steps are asked for by what is in the map: it comes first.
-[ -e city.boxmap ] || submit map 0 "" --wait "$@" >/dev/null
+map_is_made || submit map 0 "" --wait "$@" >/dev/null
 lattice=$(submit lattice "$LATTICE_SHARDS" "" "$@")
 roadmap=$(submit roadmap "$ROADMAP_SHARDS" "" "$@")
 lattice=$(submit join-lattice 0 "$lattice" "$@")
