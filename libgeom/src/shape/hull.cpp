@@ -44,7 +44,7 @@ class NearestDifference {
   // A point of the hull that is in the box, as far as can be told; nothing where they are apart.
   std::optional<Vec3> meeting() {
     corral_ = {vertex_along(points_.front() - 0.5 * (box_.min + box_.max))};
-    weights_ = Eigen::VectorXd::Ones(1);
+    set_weights(Eigen::VectorXd::Ones(1));
     for (int step = 0; step < kMostSteps; ++step) {
       const Vec3 x = nearest();
       if (separates(x, points_, box_)) return std::nullopt;
@@ -63,6 +63,10 @@ class NearestDifference {
   }
 
  private:
+  // Where the size differs, Eigen's own assignment frees the old weights before it has room for the
+  // new ones: if there is none, they would be freed once more.
+  void set_weights(Eigen::VectorXd weights) { weights_.swap(weights); }
+
   // The difference that reaches furthest against `n`.
   Vertex vertex_along(const Vec3& n) const {
     std::size_t lowest = 0;
@@ -115,7 +119,7 @@ class NearestDifference {
       if (share == 1) return;
       drop_least();
     }
-    weights_ = Eigen::VectorXd::Ones(1);
+    set_weights(Eigen::VectorXd::Ones(1));
   }
 
   void drop_least() {
@@ -124,7 +128,7 @@ class NearestDifference {
     corral_.erase(corral_.begin() + least);
     std::vector<double> kept(weights_.begin(), weights_.end());
     kept.erase(kept.begin() + least);
-    weights_ = Eigen::Map<Eigen::VectorXd>(kept.data(), static_cast<Eigen::Index>(kept.size()));
+    set_weights(Eigen::Map<Eigen::VectorXd>(kept.data(), static_cast<Eigen::Index>(kept.size())));
     weights_ = weights_.cwiseMax(0) / weights_.cwiseMax(0).sum();
   }
 

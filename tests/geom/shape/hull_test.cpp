@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <new>
 #include <vector>
 
 #include "geom/base/error.h"
+#include "support/failing_memory.h"
 #include "support/random_city.h"
 
 namespace geom {
@@ -72,6 +74,43 @@ TEST(HullMeets, NeverMissesWhatMeetsExactly) {
   }
   EXPECT_GT(meeting, 5000);
   EXPECT_GT(apart, 2000);
+}
+
+// Points and a box that take several steps and drop some of what they looked at.
+struct Room {
+  std::vector<Vec3> points;
+  Aabb box;
+};
+
+Room some_room(support::Random& random) {
+  const auto point = [&] {
+    return Vec3(random.uniform(-4, 4), random.uniform(-4, 4), random.uniform(-4, 4));
+  };
+  Room room;
+  for (int n = 0; n < 6; ++n) room.points.push_back(point());
+  const Vec3 a = point();
+  const Vec3 b = point();
+  room.box = {a.cwiseMin(b), a.cwiseMax(b)};
+  return room;
+}
+
+TEST(HullMeets, IsNotChangedByAFailedAllocation) {
+  support::Random random(4);
+  int failures = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Room room = some_room(random);
+    const auto right = hull_meets(room.points, room.box);
+    for (int n = 0;; ++n) {
+      try {
+        const support::FailingMemory memory(n, support::FailingMemory::Then::works);
+        EXPECT_EQ(hull_meets(room.points, room.box), right) << "case " << i;
+      } catch (const std::bad_alloc&) {
+      }
+      if (!support::FailingMemory::any_failed()) break;
+      ++failures;
+    }
+  }
+  EXPECT_GT(failures, 1000);
 }
 
 TEST(HullMeets, TellsAMicrometreFarFromTheOrigin) {
