@@ -23,8 +23,7 @@ py::tuple tuple_of(const geom::Aabb& box) {
 }
 
 py::array boxes(const py::object& self) {
-  const auto& map = self.cast<const geom::BoxMap&>();
-  const auto all = map.boxes();
+  const auto all = self.cast<const geom::BoxMap&>().boxes();
   static_assert(sizeof(geom::Aabb) == 6 * sizeof(double));
   return view(reinterpret_cast<const double*>(all.data()),
               {static_cast<py::ssize_t>(all.size()), 6}, self);
@@ -109,6 +108,7 @@ void bind_map(py::module_& module) {
       .def_property_readonly("history",
                              [](const BoxMap& map) { return from_json(map.spec().history); });
   module.def("make_box_map", &make_box_map);
+  module.def("require_unchanged", &geom::require_unchanged);
   module.def(
       "read_box_map",
       [](const std::string& path) { return cli::open_map(path, geom::Verified::extents); },
@@ -118,6 +118,7 @@ void bind_map(py::module_& module) {
       [](const std::string& path, const BoxMap& map) {
         cli::OutputFile out(path, cli::OutputKind::artefact);
         geom::write_box_map(out.stream(), map);
+        geom::require_unchanged(map);
         out.commit();
       },
       py::arg("path"), py::arg("map"), py::call_guard<py::gil_scoped_release>());
@@ -182,8 +183,7 @@ void def_array(py::class_<Roadmap>& roadmap, const char* name, std::span<const T
   roadmap.def_property_readonly(name, [member, columns](const py::object& self) {
     const auto values = self.cast<const Roadmap&>().*member;
     const auto size = static_cast<py::ssize_t>(values.size());
-    std::vector<py::ssize_t> shape = {size};
-    if (columns) shape = {size / columns, columns};
+    Shape shape = columns ? Shape{size / columns, columns} : Shape{size};
     return view(values.data(), std::move(shape), self);
   });
 }

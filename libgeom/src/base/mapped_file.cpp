@@ -15,6 +15,7 @@
 
 #include "geom/base/error.h"
 #include "geom/base/file_error.h"
+#include "unchanged_file.h"
 
 namespace geom {
 namespace {
@@ -67,6 +68,15 @@ bool is_as_it_was(const Mapping& mapping) {
   // What takes the place of a file's name changes its state, but not what it holds.
   if (info.st_nlink == 0) now.changed = mapping.opened.changed;
   return now == mapping.opened;
+}
+
+bool holds(const Mapping& mapping, const std::byte* address) {
+  const std::byte* const begin = mapping.at;
+  return begin && address >= begin && address < begin + mapping.size;
+}
+
+[[noreturn]] void refuse_changed(const std::string& path) {
+  throw std::runtime_error(path + " was changed while it was read");
 }
 
 // Bytes of files (code among them) that the process holds; all that are mapped where the system
@@ -135,10 +145,17 @@ MappedFile::~MappedFile() {
 const char* mapped_file_at(const void* address) noexcept {
   const auto* const at = static_cast<const std::byte*>(address);
   for (const Mapping* node = mappings().first; node; node = node->next) {
-    const std::byte* const begin = node->at;
-    if (begin && at >= begin && at < begin + node->size) return node->path.c_str();
+    if (holds(*node, at)) return node->path.c_str();
   }
   return nullptr;
+}
+
+void require_unchanged_at(const void* address) {
+  const std::lock_guard lock(mappings().mutex);
+  for (const Mapping* node = mappings().first; node; node = node->next) {
+    if (!holds(*node, static_cast<const std::byte*>(address))) continue;
+    if (!is_as_it_was(*node)) refuse_changed(node->path);
+  }
 }
 
 void require_mapped_files_unchanged() {
@@ -147,7 +164,7 @@ void require_mapped_files_unchanged() {
   for (const Mapping* node = mappings().first; node; node = node->next) {
     if (node->at && !is_as_it_was(*node)) changed = node->path;
   }
-  if (!changed.empty()) throw std::runtime_error(changed + " was changed while it was read");
+  if (!changed.empty()) refuse_changed(changed);
 }
 
 void trim_mapped_files(std::size_t most) {

@@ -7,6 +7,7 @@
 #include <ostream>
 #include <tuple>
 
+#include "base/unchanged_file.h"
 #include "geom/base/error.h"
 #include "geom/text/json_fields.h"
 #include "geom/text/json_line.h"
@@ -255,6 +256,11 @@ BoxMap read_box_map(const ArrayArchive& archive, Verified known) {
   data->archive = archive;
   data->verified = known;
   return BoxMap(data);
+}
+
+void require_unchanged(const BoxMap& map) {
+  const auto& archive = map.data().archive;
+  if (archive && archive->file()) require_unchanged_at(archive->meta().data());
 }
 
 BoxMap open_map(const std::string& path) { return read_box_map(ArrayArchive::map(path)); }

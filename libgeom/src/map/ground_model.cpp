@@ -8,6 +8,7 @@
 #include <ostream>
 #include <tuple>
 
+#include "base/unchanged_file.h"
 #include "geom/archive/array_archive.h"
 #include "geom/base/error.h"
 #include "geom/base/rounding.h"
@@ -84,7 +85,8 @@ GroundModel::GroundModel(GroundGridSpec spec, std::vector<double> low, std::vect
 
 long GroundModel::first_cell(double at, int axis) const {
   const double cells = (at - spec_.corner[axis]) / spec_.cell;
-  return static_cast<long>(std::clamp(std::floor(cells + kHair * (1 + std::abs(cells))), -1e9, 1e9));
+  return static_cast<long>(
+      std::clamp(std::floor(cells + kHair * (1 + std::abs(cells))), -1e9, 1e9));
 }
 
 long GroundModel::last_cell(double at, int axis) const {
@@ -162,7 +164,9 @@ GroundModel read_ground(const std::string& path) {
   if (const auto fault = numbers_fault(low, high, spec.columns * spec.rows)) {
     throw InputError(archive.name(), *fault);
   }
-  return {std::move(spec), {low.begin(), low.end()}, {high.begin(), high.end()}};
+  GroundModel ground{std::move(spec), {low.begin(), low.end()}, {high.begin(), high.end()}};
+  require_unchanged_at(archive.meta().data());  // since it was verified
+  return ground;
 }
 
 void require_same_frame(const GroundModel& ground, const Frame& frame, const std::string& source) {

@@ -70,7 +70,9 @@ class Folder {
       return Refusal{"summary.html", "it does not say what the other files say"};
     }
     if (auto why = why_scripts_differ()) return why;
-    return why_too_near();
+    if (auto why = why_too_near()) return why;
+    geom::require_unchanged(*map_);
+    return std::nullopt;
   }
 
   // --- files ----------------------------------------------------------------------------------

@@ -3,9 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 #include <system_error>
+#include <thread>
 
 #include "geom/base/error.h"
 #include "geom/map/box_map.h"
@@ -131,6 +135,31 @@ TEST(BoxMapFile, IsOpenedByItsPathAndKnownByItsMeta) {
   const auto bytes = support::bytes_of(other.str());
   EXPECT_FALSE(is_box_map(ArrayArchive::from_bytes(bytes, "o")));
   EXPECT_THROW(read_box_map(ArrayArchive::from_bytes(bytes, "o")), InputError);
+}
+
+// As `cp other.boxmap city.boxmap` does: into the file that is there.
+TEST(BoxMapFile, IsSeenToHaveBeenWrittenTo) {
+  const support::TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "city.boxmap";
+  const auto write = [&](const std::filesystem::path& to, std::uint64_t seed) {
+    const auto bytes = file_of(support::random_city(seed, 30, 300));
+    std::ofstream(to, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()),
+               static_cast<std::streamsize>(bytes.size()));
+  };
+  write(path, 6);
+  const BoxMap map = open_map(path);
+  const BoxMap other = support::random_city(6, 30, 300);
+  EXPECT_NO_THROW(require_unchanged(map));
+  write(folder.path() / "new", 7);
+  std::filesystem::rename(folder.path() / "new", path);
+  EXPECT_NO_THROW(require_unchanged(map));  // its own file has no name any more, and stays
+  const BoxMap second = open_map(path);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));  // clocks of files tick in some
+  write(path, 8);
+  EXPECT_THROW(require_unchanged(second), std::runtime_error);
+  EXPECT_NO_THROW(require_unchanged(map));
+  EXPECT_NO_THROW(require_unchanged(other));  // of no file
 }
 
 }  // namespace

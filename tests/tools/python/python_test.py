@@ -5,9 +5,11 @@ import os
 import pathlib
 import pickle
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import warnings
 
 import numpy
@@ -42,6 +44,44 @@ def error_of(function, *arguments, kind=skyway.InputError, **named):
 
 def raises(kind, function, *arguments, **named):
     return str(error_of(function, *arguments, kind=kind, **named))
+
+
+def test_a_map_that_was_written_to_gives_no_answer(out):
+    walls = [[[0, low, 0, 30, low + 2, 10]] for low in (0, 20)]
+    one, other = (skyway.BoxMap(wall, bounds=[[-10, -10, 0], [50, 40, 20]]) for wall in walls)
+    path = f"{out}/in_use.boxmap"
+    skyway.write_box_map(path, one)
+    city = skyway.read_box_map(path)
+    scene = skyway.CollisionScene(city, VEHICLE)
+    planner = skyway.Planner(scene)
+    way = planner.plan([-5, 30, 5], [40, 30, 5])
+    flight = skyway.solve(scene, way, limits={"vmax": 3, "amax": 2})
+    assert skyway.check(scene, flight)["ok"] and not scene.hits([[5, 21, 5]])[0]
+    skyway.write_box_map(path, other)  # a new file: the old one stays while it is in use
+    assert not scene.hits([[5, 21, 5]])[0]
+    city = skyway.read_box_map(path)
+    scene = skyway.CollisionScene(city, VEHICLE)
+    planner = skyway.Planner(scene)
+    time.sleep(0.05)  # clocks of files tick in some milliseconds
+    skyway.write_box_map(f"{out}/one.boxmap", one)
+    shutil.copyfile(f"{out}/one.boxmap", path)  # as cp does: into the file that is there
+    point, both = [[5, 1, 5]], [[-5, 30, 5, 40, 30, 5]]
+    for ask in (lambda: scene.hits(point), lambda: scene.free(point), lambda: scene.sweep_hits(both, [1, 1, 1]),
+                lambda: scene.nearest(point), lambda: scene.boxes_meeting([0, 0, 0], [1, 1, 1]),
+                lambda: planner.plan([-5, 30, 5], [40, 30, 5]), lambda: planner.plan_batch(both),
+                lambda: skyway.solve(scene, [[-5, 30, 5], [40, 30, 5]], limits={"vmax": 3, "amax": 2}),
+                lambda: skyway.check(scene, [[-5, 30, 5], [40, 30, 5]]),
+                lambda: skyway.check_return(scene, [[-5, 30, 5], [40, 30, 5]], limits={"vmax": 3, "amax": 2}, return_height=15),
+                lambda: skyway.export_mission(scene, skyway.Path([[-5, 30, 5], [40, 30, 5]]), "geojson"),
+                lambda: skyway.plot_plan(city), lambda: skyway.plot_clearance(scene, [skyway.Path([[-5, 30, 5], [40, 30, 5]])]), lambda: skyway.page(city),
+                lambda: skyway.write_box_map(f"{out}/copy.boxmap", city)):
+        try:
+            ask()
+        except (RuntimeError, skyway.InputError) as error:  # where all of the map is verified, that fails first
+            assert "in_use.boxmap" in str(error), error
+            continue
+        raise AssertionError("an answer of a map that was written to")
+    assert not pathlib.Path(f"{out}/copy.boxmap").exists()
 
 
 def test_arrays_are_those_of_the_files(out):
@@ -451,6 +491,7 @@ with tempfile.TemporaryDirectory() as folder:
     prepare(folder)
     here = skyway.CollisionScene(skyway.read_box_map(f"{folder}/city.boxmap"), VEHICLE)
     test_arrays_are_those_of_the_files(folder)
+    test_a_map_that_was_written_to_gives_no_answer(folder)
     test_answers_are_those_of_the_query_tool(folder, here)
     test_wrong_batches_are_refused(here)
     test_records_are_those_of_the_tools(folder, here)

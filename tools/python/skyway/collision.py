@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _skyway
 from .arguments import Bools, File, Floats, Tuple3, array, native, number, whole
 from .box_map import BoxMap
-from .native import Native
+from .native import Native, of_same_file
 from .vehicle import Vehicle, vehicle_from
 
 
@@ -55,16 +55,16 @@ class CollisionScene(Native):
 
     def hits(self, queries: ArrayLike, *, threads: int = 0) -> Bools:
         """Whether segments (n, 6) or points (n, 3) meet an obstacle. Bounds are not looked at."""
-        return self._native.hits(_queries(queries), threads=whole("threads", threads))
+        return of_same_file(self.map, self._native.hits(_queries(queries), threads=whole("threads", threads)))
 
     def free(self, queries: ArrayLike, *, threads: int = 0) -> Bools:
         """Whether segments (n, 6) or points (n, 3) are inside the bounds and clear of every obstacle."""
-        return self._native.free(_queries(queries), threads=whole("threads", threads))
+        return of_same_file(self.map, self._native.free(_queries(queries), threads=whole("threads", threads)))
 
     def sweep_hits(self, segments: ArrayLike, half: ArrayLike, *, threads: int = 0) -> Bools:
         """Whether a box of these half sizes (3), in place of the vehicle, hits anything along segments (n, 6)."""
-        return self._native.sweep_hits(array("segments", segments, (None, 6), (None, 3)), array("half", half, (3,)),
-                                       threads=whole("threads", threads))
+        rows, size = array("segments", segments, (None, 6), (None, 3)), array("half", half, (3,))
+        return of_same_file(self.map, self._native.sweep_hits(rows, size, threads=whole("threads", threads)))
 
     def nearest(self, points: ArrayLike, radius: float = math.inf, *,
                 threads: int = 0) -> tuple[Floats, NDArray[numpy.int64]]:
@@ -72,11 +72,11 @@ class CollisionScene(Native):
         radius they are inf and -1. Obstacles are grown by the vehicle, without the margin."""
         distance, box = self._native.nearest(array("points", points, (None, 3)), number("radius", radius),
                                              threads=whole("threads", threads))
-        return distance, box
+        return of_same_file(self.map, (distance, box))
 
     def boxes_meeting(self, min: ArrayLike, max: ArrayLike) -> NDArray[numpy.uint64]:
         """Rows in `map.boxes`, ascending, of the boxes that once grown meet the closed region between two corners."""
-        return self._native.boxes_meeting(array("min", min, (3,)), array("max", max, (3,)))
+        return of_same_file(self.map, self._native.boxes_meeting(array("min", min, (3,)), array("max", max, (3,))))
 
     def __repr__(self) -> str:
         return f"CollisionScene({self.map!r}, {self.vehicle!r}, margin {self.margin:g} m)"

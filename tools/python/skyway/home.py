@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 from . import _skyway
 from .arguments import File, array, file, limits as limits_from, native, number, text
 from .collision import CollisionScene
+from .native import of_same_file
 from .path import Path
 from .solving import way
 from .trajectory import Trajectory
@@ -29,7 +30,7 @@ def check_return(scene: CollisionScene, what: Union[Path, Trajectory, ArrayLike]
         return_height=None if return_height is None else number("return_height", return_height),
         home_place=_numbers("home_place", home_place, 3), limits=limits_from(limits), autopilot=text("autopilot", autopilot),
         navigation=_numbers("navigation", navigation, 2))
-    return report
+    return of_same_file(scene.map, report)
 
 
 def ways_home(scene: CollisionScene, what: Union[Path, Trajectory, ArrayLike], sites: File, *, local: bool = False,
@@ -40,9 +41,10 @@ def ways_home(scene: CollisionScene, what: Union[Path, Trajectory, ArrayLike], s
     `sites` is a GeoJSON file with points and polygons, in degrees or, with `local`, in the map's metres. The battery is not looked at. The
     scene's margin must be at least what the autopilots stray.
     """
-    return list(_skyway.ways_home(native("scene", scene, CollisionScene), way("what", what), file("sites", sites), local=_flag("local", local),
-                                  limits=limits_from(limits), autopilot=text("autopilot", autopilot),
-                                  navigation=_numbers("navigation", navigation, 2)))
+    ways = _skyway.ways_home(native("scene", scene, CollisionScene), way("what", what), file("sites", sites), local=_flag("local", local),
+                             limits=limits_from(limits), autopilot=text("autopilot", autopilot),
+                             navigation=_numbers("navigation", navigation, 2))
+    return of_same_file(scene.map, list(ways))
 
 
 def check_ways_home(scene: CollisionScene, what: Union[Path, Trajectory, ArrayLike], ways: Sequence[Mapping[str, Any]], *,
@@ -55,7 +57,7 @@ def check_ways_home(scene: CollisionScene, what: Union[Path, Trajectory, ArrayLi
     report: dict[str, Any] = _skyway.check_ways_home(native("scene", scene, CollisionScene), way("what", what), lines,
                                                      limits=limits_from(limits), autopilot=text("autopilot", autopilot),
                                                      navigation=_numbers("navigation", navigation, 2))
-    return report
+    return of_same_file(scene.map, report)
 
 
 def _flag(name: str, value: Any) -> bool:

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 from . import _skyway
 from .arguments import native, number, text
 from .collision import CollisionScene
+from .native import of_same_file
 from .path import Path
 from .solving import way
 from .trajectory import Trajectory
@@ -37,4 +38,4 @@ def export_mission(scene: CollisionScene, what: Union[Path, Trajectory, ArrayLik
     made: dict[str, Any] = _skyway.export_mission(native("scene", scene, CollisionScene), way("what", what),
                                                   text("format", format),
                                                   **{name: value for name, value in asked.items() if value is not None})
-    return made
+    return of_same_file(scene.map, made)

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any, Self
+from typing import Any, Self, TypeVar
+
+from . import _skyway
+
+T = TypeVar("T")
 
 
 class Native:
@@ -16,3 +20,9 @@ class Native:
         self = cls.__new__(cls)
         self._native = native
         return self
+
+
+def of_same_file(map: Native, answer: T) -> T:
+    """The answer, unless the file of the map was written to since it was opened: then it may be of neither state."""
+    _skyway.require_unchanged(map._native)
+    return answer

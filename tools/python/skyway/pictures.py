@@ -12,6 +12,7 @@ from .box_map import BoxMap
 from .collision import CollisionScene
 from .flight_log import FlightLog
 from .lattice import Lattice
+from .native import of_same_file
 from .path import Path
 from .trajectory import Trajectory
 
@@ -57,7 +58,8 @@ class Page:
 
 def plot_plan(map: BoxMap, records: Union[_Way, Iterable[_Way]] = ()) -> Picture:
     """The map from above, with paths, trajectories and flights."""
-    return Picture(_skyway.plan_svg(native("map", map, BoxMap), natives("records", records, *_WAYS)))
+    drawn = _skyway.plan_svg(native("map", map, BoxMap), natives("records", records, *_WAYS))
+    return of_same_file(map, Picture(drawn))
 
 
 def plot_profile(trajectory: Trajectory) -> Picture:
@@ -67,7 +69,8 @@ def plot_profile(trajectory: Trajectory) -> Picture:
 
 def plot_clearance(scene: CollisionScene, records: Union[_Way, Iterable[_Way]]) -> Picture:
     """The distance to the nearest obstacle over time, or along paths where there are only those."""
-    return Picture(_skyway.clearance_svg(native("scene", scene, CollisionScene), natives("records", records, *_WAYS)))
+    drawn = _skyway.clearance_svg(native("scene", scene, CollisionScene), natives("records", records, *_WAYS))
+    return of_same_file(scene.map, Picture(drawn))
 
 
 def plot_tracking(flight: FlightLog, trajectory: Optional[Trajectory] = None) -> Picture:
@@ -80,6 +83,7 @@ def page(map: Optional[BoxMap] = None, records: Union[_Way, Lattice, Iterable[Un
          reports: Iterable[Mapping[str, Any]] = (), title: str = "Skyway", threads: int = 0) -> Page:
     """The page of skyway-view, in three dimensions: the map, lattices, paths, trajectories and flights, and what reports of
     `check` say of them."""
-    return Page(_skyway.page_html(None if map is None else native("map", map, BoxMap),
-                                  natives("records", records, *_WAYS, Lattice), [dict(report) for report in reports],
-                                  text("title", title), whole("threads", threads)))
+    drawn = _skyway.page_html(None if map is None else native("map", map, BoxMap),
+                              natives("records", records, *_WAYS, Lattice), [dict(report) for report in reports],
+                              text("title", title), whole("threads", threads))
+    return Page(drawn) if map is None else of_same_file(map, Page(drawn))

@@ -10,7 +10,7 @@ from . import _skyway
 from .arguments import array, native, number, text, texts, whole
 from .collision import CollisionScene
 from .lattice import Lattice
-from .native import Native
+from .native import Native, of_same_file
 from .path import Path
 from .roadmap import Roadmap
 
@@ -36,8 +36,9 @@ class Planner(Native):
     def plan(self, start: ArrayLike, goal: ArrayLike, *, id: str = "q1", method: str = "auto", quality: str = "normal",
              raw: bool = False, resample: float = 0.0, snap_ends: float = 0.0, seed: int = 0) -> Path:
         """The path between two points (3), or one whose status says why there is none."""
-        return Path._of(self._native.plan(array("start", start, (3,)), array("goal", goal, (3,)), id=text("id", id),
-                                          **_words(method, quality, raw, resample, snap_ends, seed)))
+        path = self._native.plan(array("start", start, (3,)), array("goal", goal, (3,)), id=text("id", id),
+                                 **_words(method, quality, raw, resample, snap_ends, seed))
+        return of_same_file(self._scene.map, Path._of(path))
 
     def plan_batch(self, queries: ArrayLike, *, ids: Optional[Sequence[str]] = None, method: str = "auto",
                    quality: str = "normal", raw: bool = False, resample: float = 0.0, snap_ends: float = 0.0,
@@ -46,7 +47,7 @@ class Planner(Native):
         names = None if ids is None else texts("ids", ids)
         paths = self._native.plan_batch(array("queries", queries, (None, 6)), ids=names, threads=whole("threads", threads),
                                         **_words(method, quality, raw, resample, snap_ends, seed))
-        return [Path._of(path) for path in paths]
+        return of_same_file(self._scene.map, [Path._of(path) for path in paths])
 
     def __repr__(self) -> str:
         return f"Planner({self._scene!r})"

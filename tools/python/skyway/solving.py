@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 from . import _skyway
 from .arguments import array, limits as limits_from, native, number, text
 from .collision import CollisionScene
+from .native import of_same_file
 from .path import Path
 from .trajectory import Trajectory
 
@@ -22,10 +23,10 @@ def solve(scene: CollisionScene, path: Union[Path, ArrayLike], *, limits: Option
     must be the scene's. `solver`, `times`, `corridor` and `rho` are those of skyway-traj. `yaw` is "along", an angle in radians,
     or the (x, y) to look at. One optimisation runs at a time in a process.
     """
-    return Trajectory._of(_skyway.solve(native("scene", scene, CollisionScene), way("path", path),
-                                        limits=limits_from(limits), solver=text("solver", solver),
-                                        times=None if times is None else text("times", times),
-                                        corridor=text("corridor", corridor), rho=number("rho", rho), yaw=_yaw(yaw)))
+    solved = _skyway.solve(native("scene", scene, CollisionScene), way("path", path), limits=limits_from(limits),
+                           solver=text("solver", solver), times=None if times is None else text("times", times),
+                           corridor=text("corridor", corridor), rho=number("rho", rho), yaw=_yaw(yaw))
+    return of_same_file(scene.map, Trajectory._of(solved))
 
 
 def _yaw(value: Any) -> Any:
@@ -43,7 +44,7 @@ def check(scene: CollisionScene, what: Union[Path, Trajectory, ArrayLike], *,
     """
     report: dict[str, Any] = _skyway.check(native("scene", scene, CollisionScene), way("what", what),
                                            limits=limits_from(limits), exact=bool(exact))
-    return report
+    return of_same_file(scene.map, report)
 
 
 def way(name: str, value: Union[Path, Trajectory, ArrayLike]) -> Any:

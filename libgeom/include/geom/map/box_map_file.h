@@ -27,6 +27,12 @@ BoxMap read_box_map(const ArrayArchive& archive, Verified known = Verified::noth
 // cannot be mapped, and InputError as read_box_map does.
 BoxMap open_map(const std::string& path);
 
+// Throws std::runtime_error if the file of the map was written to or cut since it was opened: an
+// answer about the map may then be of neither state. A program that keeps a map open for long calls
+// this after an answer, before somebody relies on it. A new file that takes the name does no harm.
+// Cheap: asks the system for the file's times.
+void require_unchanged(const BoxMap& map);
+
 // Whether the archive says that it is a box map.
 bool is_box_map(const ArrayArchive& archive);
 
