@@ -98,6 +98,7 @@ class Folder {
               [](const auto& a, const auto& b) { return a.path < b.path; });
     if (const auto why = why_not_as_listed(listed_, found)) return Refusal{kManifest, *why};
     for (const ListedFile& one : listed_) names_.insert(one.path);
+    files_.hold(listed_);
     return std::nullopt;
   }
 
@@ -331,7 +332,7 @@ class Folder {
   }
 
   FileLines lines_in(const std::string& name) const {
-    return has(name) ? FileLines(files_.stream_of(name)) : FileLines();
+    return has(name) ? files_.lines_in(name) : FileLines();
   }
 
   Refusal too_many_flights() const {

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <memory>
+#include <sstream>
 
 #include "geom/base/error.h"
 #include "geom/base/file_error.h"
@@ -59,6 +61,31 @@ TEST(CheckSubmission, OpensFilesAsItIsTold) {
   };
   EXPECT_THROW(check_submission(folder.path(), {.open = open}), geom::InputError);
   EXPECT_EQ(opened, std::vector<std::string>{folder / "manifest.json"});
+}
+
+// A folder on a shared disk, say: what is looked at must be what the manifest lists.
+TEST(CheckSubmission, RefusesAFileThatIsAnotherWhenItIsReadAgain) {
+  const support::TemporaryFolder folder;
+  std::vector<ListedFile> files;
+  for (const char* name :
+       {"claims.jsonl", "map.boxmap", "operation.json", "submission.json", "summary.html"}) {
+    write(folder / name, "{}");
+    files.push_back(listed_file(name, "{}"));
+  }
+  write(folder / "manifest.json", to_json(files, "skyway"));
+  int opened = 0;
+  const auto open = [&](const std::string& path) -> std::shared_ptr<std::istream> {
+    const bool again = path == folder / "operation.json" && ++opened > 1;
+    if (again) return std::make_shared<std::istringstream>("{ }");
+    return geom::open_file(path);
+  };
+  try {
+    check_submission(folder.path(), {.open = open});
+    FAIL() << "it was accepted";
+  } catch (const geom::InputError& error) {
+    EXPECT_EQ(error.source(), folder / "operation.json");
+    EXPECT_NE(std::string(error.what()).find("was changed while"), std::string::npos);
+  }
 }
 
 }  // namespace
