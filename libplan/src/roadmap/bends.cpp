@@ -20,28 +20,38 @@ struct Cover {
   std::vector<Interval> any;        // that one, and those off one face and inside the other
 };
 
-// One edge of a grown box: along `axis`, at the lower or upper ends of the next two. `near` are the
-// other grown boxes that meet the box, or come within kOff of it.
+// One edge of a grown box: along `axis`, at the lower or upper ends of the next two.
 class BoxEdge {
  public:
-  BoxEdge(const geom::CollisionScene& scene, std::span<const geom::Aabb> near,
-          const geom::Aabb& box, int axis, int corner)
-      : scene_(scene), near_(near), box_(box), k_(axis), i1_((axis + 1) % 3), i2_((axis + 2) % 3) {
+  BoxEdge(const geom::CollisionScene& scene, const geom::Aabb& box, int axis, int corner)
+      : scene_(scene), box_(box), k_(axis), i1_((axis + 1) % 3), i2_((axis + 2) % 3) {
     outward_ = {static_cast<std::int8_t>(corner & 1 ? 1 : -1),
                 static_cast<std::int8_t>(corner & 2 ? 1 : -1)};
   }
 
+  // Whether it may have bends: some below a box that stands on the ground are out of bounds.
+  bool may_have_bends(const std::optional<geom::Aabb>& square, const ShortWays* ways) const {
+    const geom::Aabb on = line();
+    if (square && !geom::overlap(*square, on)) return false;
+    const auto& bounds = scene_.free_bounds();
+    return bounds && geom::overlap(*bounds, on) && !(ways && !ways->may_meet(on));
+  }
+
   // In the middle of what is exposed of each part, but for parts that are surely out of the square,
-  // and bends that the ways do not hold.
-  void add_bends(double part, const std::optional<geom::Aabb>& square, const ShortWays* ways,
-                 Cover& cover, std::vector<Bend>& out) const {
-    if (square && !geom::overlap(*square, line())) return;
-    if (ways && !ways->may_meet(line())) return;
-    if (out_of_bounds() || !find(cover)) return;
+  // and bends that the ways do not hold. `near` are the other grown boxes that meet the box, or
+  // come within kOff of it.
+  void add_bends(std::span<const geom::Aabb> near, double part,
+                 const std::optional<geom::Aabb>& square, const ShortWays* ways, Cover& cover,
+                 std::vector<Bend>& out) const {
+    if (!find(near, cover)) return;
     const double length = box_.max[k_] - box_.min[k_];
     const double parts = std::max(1.0, std::ceil(length / part));
     const auto [first, end] = parts_in(square, length, parts);
-    const auto open = uncovered(box_.min[k_], box_.max[k_], cover.any);
+    const Interval whole[] = {{box_.min[k_], box_.max[k_]}};
+    std::vector<Interval> some;
+    if (!cover.any.empty()) some = uncovered(box_.min[k_], box_.max[k_], cover.any);
+    const std::span<const Interval> open =
+        cover.any.empty() ? std::span(whole) : std::span<const Interval>(some);
     for (double n = first; n < end; ++n) {
       const double from = box_.min[k_] + length * (n / parts);
       const double to = box_.min[k_] + length * ((n + 1) / parts);
@@ -67,12 +77,6 @@ class BoxEdge {
   // What holds all bends of the edge.
   geom::Aabb line() const { return {beside(1, 1, box_.min[k_]), beside(1, 1, box_.max[k_])}; }
 
-  // Whether no bend can be inside the bounds, as below a box that stands on the ground.
-  bool out_of_bounds() const {
-    const auto& bounds = scene_.free_bounds();
-    return !bounds || !geom::overlap(*bounds, line());
-  }
-
   // The parts, of so many, that may have bends in the square: [first, end).
   std::pair<double, double> parts_in(const std::optional<geom::Aabb>& square, double length,
                                      double parts) const {
@@ -84,12 +88,12 @@ class BoxEdge {
 
   // The edge is exposed where the three outer quadrants are free, each looked at along its line.
   // False where a single box hides all of it.
-  bool find(Cover& cover) const {
+  bool find(std::span<const geom::Aabb> near, Cover& cover) const {
     cover.outermost.clear();
     cover.any.clear();
     const Vec3 out = beside(1, 1, 0);
     const Vec3 in = beside(-1, -1, 0);
-    for (const geom::Aabb& other : near_) {
+    for (const geom::Aabb& other : near) {
       if (box_.max[k_] < other.min[k_] || box_.min[k_] > other.max[k_]) continue;
       const auto holds = [&](int i, const Vec3& p) {
         return p[i] >= other.min[i] && p[i] <= other.max[i];
@@ -114,13 +118,23 @@ class BoxEdge {
   }
 
   const geom::CollisionScene& scene_;
-  std::span<const geom::Aabb> near_;
   const geom::Aabb& box_;
   int k_;
   int i1_;
   int i2_;
   std::array<std::int8_t, 2> outward_{};
 };
+
+// The grown boxes that meet `beside`, but for `box`.
+std::vector<geom::Aabb> others(const geom::CollisionScene& scene, const geom::Aabb& box,
+                               const geom::Aabb& beside) {
+  std::vector<geom::Aabb> out;
+  for (const std::size_t i : scene.boxes_meeting(beside)) {
+    const geom::Aabb other = scene.grown(i);
+    if (!(other == box)) out.push_back(other);
+  }
+  return out;
+}
 
 // The grown boxes of these numbers, so that neighbours mostly follow each other.
 std::vector<geom::Aabb> along_curve(const geom::CollisionScene& scene,
@@ -161,15 +175,14 @@ void add_bends(const geom::CollisionScene& scene, const geom::Aabb& box, double 
     beside = {beside.min.cwiseMax(wide.min), beside.max.cwiseMin(wide.max)};
     if (!(beside.min.array() <= beside.max.array()).all()) return;
   }
-  std::vector<geom::Aabb> near;
-  for (const std::size_t i : scene.boxes_meeting(beside)) {
-    const geom::Aabb other = scene.grown(i);
-    if (!(other == box)) near.push_back(other);
-  }
   Cover cover;
+  std::optional<std::vector<geom::Aabb>> near;
   for (int k = 0; k < 3; ++k) {
     for (int corner = 0; corner < 4; ++corner) {
-      BoxEdge(scene, near, box, k, corner).add_bends(part, square, ways, cover, out);
+      const BoxEdge edge(scene, box, k, corner);
+      if (!edge.may_have_bends(square, ways)) continue;
+      if (!near) near = others(scene, box, beside);
+      edge.add_bends(*near, part, square, ways, cover, out);
     }
   }
 }
