@@ -24,13 +24,13 @@ using geom::gis::GeoTable;
 
 constexpr const char* kWritten = "what was written";
 
-// The places of the one line of a GeoJSON text.
-std::vector<geom::GeodeticPlace> line_of(const std::string& text) {
+// The one line of a GeoJSON text, with its note, which an unchecked one has.
+GeoRow row_of(const std::string& id, const std::string& text) {
   const nlohmann::json json = geom::parse_json(text, kWritten);
   const nlohmann::json& feature = json.contains("features") ? json["features"].at(0) : json;
-  std::vector<geom::GeodeticPlace> out;
+  GeoRow out{.id = id, .note = feature.at("properties").value("note", "")};
   for (const nlohmann::json& p : feature.at("geometry").at("coordinates")) {
-    out.push_back({p.at(1).get<double>(), p.at(0).get<double>(), p.at(2).get<double>()});
+    out.places.push_back({p.at(1).get<double>(), p.at(0).get<double>(), p.at(2).get<double>()});
   }
   return out;
 }
@@ -73,7 +73,7 @@ cli::Exit export_geopackage(const cli::Common& common, const Options& options, E
     refused += !made;
     if (!made) continue;
     const bool path = !flight.way.path.empty();
-    GeoRow row{.id = flight.way.id, .places = line_of(made->text)};
+    GeoRow row = row_of(flight.way.id, made->text);
     if (!path) row.numbers = {traj::duration(flight.way.trajectory)};
     tables[path ? 1 : 0].rows.push_back(std::move(row));
     if (options.unchecked || !has_times(flight)) continue;

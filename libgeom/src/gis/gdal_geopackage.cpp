@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -54,6 +55,7 @@ bool add_row(OGRLayerH layer, const GeoRow& row, const GeoTable& table) {
     if (!value.empty()) gdal().set_text(feature, field, value.c_str());
     ++field;
   }
+  if (!row.note.empty()) gdal().set_text(feature, field, row.note.c_str());
   gdal().set_geometry(feature, geometry_of(row, table));
   const bool done = gdal().create_feature(layer, feature) == OGRERR_NONE;
   gdal().destroy_feature(feature);
@@ -68,6 +70,9 @@ void write_table(const DatasetHandle& file, const GeoTable& table, const std::st
   add_field(layer, "flight", OFTString);
   for (const std::string& name : table.numbers) add_field(layer, name, OFTReal);
   for (const std::string& name : table.texts) add_field(layer, name, OFTString);
+  const bool noted = std::any_of(table.rows.begin(), table.rows.end(),
+                                 [](const GeoRow& row) { return !row.note.empty(); });
+  if (noted) add_field(layer, "note", OFTString);
   if (gdal().start_transaction(layer) != OGRERR_NONE) fail(path, "it takes no rows");
   for (const GeoRow& row : table.rows) {
     if (!add_row(layer, row, table)) fail(path, "it takes no row");

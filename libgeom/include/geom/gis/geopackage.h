@@ -20,6 +20,7 @@ struct GeoRow {
   std::vector<GeodeticPlace> places;  // of a line, or the corners of a polygon, which is closed
   std::vector<double> numbers;        // one for each of the table's; NaN: none
   std::vector<std::string> texts;     // likewise; empty: none
+  std::string note = {};              // in a column of its own, where any row of the table has one
 };
 
 struct GeoTable {
