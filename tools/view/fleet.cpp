@@ -57,11 +57,9 @@ Json nearest_array(const traj::Approaches& approaches, std::size_t flights, Bund
 }
 
 Json check_json(const traj::TogetherSummary& check) {
-  Json out = {{"ok", check.ok},
-              {"flights", check.flights},
-              {"pairs", check.pairs},
-              {"refused", check.refused},
-              {"left_out", check.left_out}};
+  Json out = {
+      {"ok", check.ok},           {"flights", check.flights},   {"pairs", check.pairs},
+      {"refused", check.refused}, {"left_out", check.left_out}, {"overridden", check.overridden}};
   if (check.separation) out["asked"] = asked(*check.separation);
   return out;
 }

@@ -86,6 +86,7 @@ TogetherSummary parse_together_record(std::string_view json, std::string_view so
   all.pairs = count(fields, "pairs");
   all.refused = count(fields, "refused");
   if (fields.has("left_out")) all.left_out = count(fields, "left_out");
+  all.overridden = fields.has("overridden");
   if (fields.has("map")) all.map = fields.text("map");
   all.separation = zone_of(fields, "separation");
   all.flights_hash = fields.text("flights_hash");

@@ -652,6 +652,7 @@ def sets_refused_apart(browser, folder, page):
     lines = browser.run("return [...document.querySelectorAll('.summary-panel .verdict-line')].map(l => [l.className, l.textContent])")
     assert lines and all("good" in kind and "bad" not in kind for kind, _ in lines), lines
     assert "All 3 pairs of 3 flights are proved apart." in lines[0][1], lines
+    assert "exact numbers" not in browser.run("return document.querySelector('.summary-panel').textContent")  # nobody asked for --exact
     assert "2 flights were refused before" in browser.run("return document.querySelector('.summary-panel .aside').textContent")
     assert not browser.run("return [...document.querySelectorAll('#side .bad, .summary .bad')].some(e => e.textContent)")
     assert "failed" not in browser.run("return document.getElementById('summary').textContent")

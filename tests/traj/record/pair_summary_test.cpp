@@ -42,6 +42,9 @@ TEST(PairSummary, SaysWhatWasAsked) {
   task.rule.spacing.zone = cylinder(5, 3);
   const std::string line = to_json_line(TogetherResult{}, task, 0);
   EXPECT_EQ(parse_together_record(line, "f", 1).separation, cylinder(5, 3));
+  EXPECT_FALSE(parse_together_record(line, "f", 1).overridden);
+  task.overridden = true;
+  EXPECT_TRUE(parse_together_record(to_json_line({}, task, 0), "f", 1).overridden);
 }
 
 void expect_refused(const std::string& json, const std::string& why) {

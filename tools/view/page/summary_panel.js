@@ -27,8 +27,10 @@ function pairsVerdict() {
   const { check } = together;
   if (!check) return ["soft", "", "No report of skyway-check --together is here: nothing is proved of pairs."];
   if (check.refused) return ["bad", "✕", `${decimals(check.refused, 0)} of ${count(check.pairs, "pair")} are not proved apart.`];
-  if (check.pairs === 1) return ["good", "✓", "Both flights are proved apart."];
-  return ["good", "✓", `All ${count(check.pairs, "pair")} of ${count(check.flights, "flight")} are proved apart.`];
+  const loose = check.overridden ? " Vehicles or margins were smaller than their records say (--override)." : "";
+  if (!check.pairs) return ["soft", "", "There are no two flights, so nothing is proved of pairs."];
+  if (check.pairs === 1) return ["good", "✓", `Both flights are proved apart.${loose}`];
+  return ["good", "✓", `All ${count(check.pairs, "pair")} of ${count(check.flights, "flight")} are proved apart.${loose}`];
 }
 
 function mapVerdict() {
@@ -83,7 +85,7 @@ function makeSummaryPanel() {
       element("button", { type: "button", id: "densest", onclick: () => { clock.play(false); clock.set(most.time); } }, "The busiest time"),
       nearest ? element("button", { type: "button", onclick: () => jumpToPair(nearest) }, "The nearest pair") : null),
     element("p", { class: "soft" }, check
-      ? "Proved: reference points of the planned flights keep that apart at every instant, by a computation in exact numbers. " +
+      ? `Proved by skyway-check: ${check.refused ? "all other pairs of" : "the"} planned flights keep that apart at every instant. ` +
         "Not proved: how well vehicles follow their plan."
       : "Distances are measured to 1 mm, for display."));
 }

@@ -36,6 +36,7 @@ struct TogetherSummary {
   std::size_t pairs = 0;
   std::size_t refused = 0;
   std::size_t left_out = 0;  // flights that were refused, so that their pairs were not compared
+  bool overridden = false;   // a vehicle or margin is smaller than its record says
   std::optional<Zone>
       separation;  // what was asked of every pair; nothing where the vehicles' sizes say it
   std::optional<std::string> map;  // its hash
