@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "geom/text/rounded.h"
 #include "home/braking.h"
 #include "home/clear_region.h"
 #include "home/way_room.h"
@@ -177,7 +178,7 @@ Refused without_way(std::span<const FlightStage> stages,
                  (at == stages.end() ? stages.back() : *at).where.front(),
                  fmt::format("no way home from {:.6g} to {:.6g} s; ways home hold for {:.4g} % of "
                              "the time",
-                             from, until, 100 * share),
+                             from, until, geom::rounded_down(100 * share)),
                  gaps.seconds};
 }
 

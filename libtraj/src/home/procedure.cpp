@@ -7,6 +7,7 @@
 
 #include "geom/map/geographic_frame.h"
 #include "geom/text/counted.h"
+#include "geom/text/rounded.h"
 #include "traj/record/verdict.h"
 
 namespace traj {
@@ -101,8 +102,8 @@ class Procedure {
 
   Lines gaps() const {
     const ReturnReport& proof = what_.proof;
-    Lines out{
-        fmt::format("A return is proved for {:.4g} % of the flight's time.", 100 * proof.share())};
+    Lines out{fmt::format("A return is proved for {:.4g} % of the flight's time.",
+                          geom::rounded_down(100 * proof.share()))};
     if (proof.gaps.empty()) out = {"None: a return is proved from every instant."};
     for (const ReturnGap& gap : proof.gaps) {
       const std::string item = gap.part ? fmt::format("item {}: ", gap.part->item) : "";

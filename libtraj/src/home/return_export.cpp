@@ -10,6 +10,7 @@
 #include "geom/base/text_stream.h"
 #include "geom/base/usage_error.h"
 #include "geom/text/counted.h"
+#include "geom/text/rounded.h"
 #include "traj/curve/to_enu.h"
 #include "traj/curve/vertical_ends.h"
 #include "traj/home/fence_plan.h"
@@ -260,8 +261,8 @@ class ReturnExport {
     if (proof.gaps.empty()) return;
     const std::size_t more = proof.gaps.size() - 1;
     warnings.push_back(fmt::format(
-        "{}: its return is proved for {:.4g} % of the time: {}{}", flight_.id, 100 * proof.share(),
-        in_words(proof.gaps.front(), scene_.map()),
+        "{}: its return is proved for {:.4g} % of the time: {}{}", flight_.id,
+        geom::rounded_down(100 * proof.share()), in_words(proof.gaps.front(), scene_.map()),
         more == 0 ? "" : fmt::format(", and {} more", geom::counted(more, "time", "times"))));
   }
 
@@ -341,7 +342,8 @@ MissionExport with_off_nominal(const geom::CollisionScene& scene, const ExportFl
   made.warnings.push_back(fmt::format(
       "{}: its off-nominal volumes hold all returns, but these are proved clear for {:.4g} % of "
       "the time: {}",
-      flight.id, 100 * proof.share(), in_words(proof.gaps.front(), scene.map())));
+      flight.id, geom::rounded_down(100 * proof.share()),
+      in_words(proof.gaps.front(), scene.map())));
   return made;
 }
 

@@ -4,6 +4,7 @@
 
 #include "geom/text/counted.h"
 #include "geom/text/excerpt.h"
+#include "geom/text/rounded.h"
 #include "traj/record/verdict.h"
 
 namespace traj {
@@ -65,7 +66,7 @@ std::string return_advice(const ReturnReport& returns) {
   if (reason == Reason::return_home)
     return "; set RTL_TYPE so that it returns to home or a rally point";
   if (returns.least_height) {
-    return fmt::format("; return at {:.4g} m above home", *returns.least_height);
+    return fmt::format("; return at {:.4g} m above home", geom::rounded_up(*returns.least_height));
   }
   if (reason == Reason::landing)
     return "; give the height of the ground there with --home-place x,y,z";
@@ -75,7 +76,7 @@ std::string return_advice(const ReturnReport& returns) {
         ", and at {:.4g} m above home for {:.4g} %; no return height makes all of it safe: fly "
         "another "
         "way, or add rally points",
-        *returns.best_height, 100 * *returns.best_share);
+        *returns.best_height, geom::rounded_down(100 * *returns.best_share));
   }
   return "; no return height makes all of it safe: fly another way, or add rally points";
 }
@@ -103,7 +104,7 @@ std::string returns_in_words(const ReturnReport& returns, const geom::BoxMap& ma
     out += fmt::format("; {} like it", geom::counted(more, "later time is", "later times are"));
   }
   out += fmt::format("; {} is proved for {:.4g} % of the flight", returns.action,
-                     100 * returns.share());
+                     geom::rounded_down(100 * returns.share()));
   return out + return_advice(returns);
 }
 

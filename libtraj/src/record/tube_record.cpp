@@ -10,6 +10,7 @@
 #include "geom/text/json_fields.h"
 #include "geom/text/json_line.h"
 #include "geom/text/parse_json.h"
+#include "geom/text/rounded.h"
 #include "traj/flight/monte_carlo.h"
 #include "traj/record/disturbance_record.h"
 
@@ -163,7 +164,8 @@ TubeClaim read_tube_claim(const geom::JsonFields& fields) {
 }
 
 std::string in_words(const TubeClaim& claim) {
-  const std::string tube = fmt::format("a tube of at most {:.4g} m", claim.largest);
+  const std::string tube =
+      fmt::format("a tube of at most {:.4g} m", geom::rounded_up(claim.largest));
   if (claim.kind == TubeKind::statistics) return tube + ", from statistics and not proved";
   return fmt::format("{}, proved for the simulated vehicle under the {} controller in {}", tube,
                      geom::word_of(kControlLawWords, claim.law), in_words(*claim.disturbances));

@@ -4,15 +4,20 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "geom/text/counted.h"
 #include "geom/text/excerpt.h"
+#include "geom/text/rounded.h"
 #include "geom/vehicle/shown_limit.h"
 #include "record/return_verdict.h"
 #include "traj/proof/domain.h"
 
 namespace traj {
 namespace {
+
+constexpr double kClearanceRoom = 1e-3;  // metres, as CheckResult::clearance says
 
 // "horizontal speed" of "horizontal_speed".
 std::string spoken(std::string_view quantity) {
@@ -140,41 +145,57 @@ std::string refused_in_words(const ReportRecord& report, const geom::BoxMap& map
   return advice.empty() ? out : out + "; " + advice;
 }
 
-std::string clearance_in_words(const CheckResult& result, bool path) {
-  if (!result.clearance) return "";
+// The least distance of a curve is known to kClearanceRoom: it may be so much less than was found.
+std::string clearance_in_words(const ReportRecord& report) {
+  const auto& clearance = report.result.clearance;
+  if (!clearance) return "";
+  const bool path = report.checked == "path";
+  const bool straight = path && !report.navigation;  // a drone file may have curves
+  const double room = straight ? 0 : kClearanceRoom;
+  const double least = std::max(0.0, clearance->value - room);
   return fmt::format(", at least {:.4g} m from every obstacle ({} {:.4g}{})",
-                     result.clearance->value, path ? "on leg" : "at",
-                     path ? std::floor(result.clearance->time) : result.clearance->time,
-                     path ? "" : " s");
+                     geom::rounded_down(least), path ? "on leg" : "at",
+                     path ? std::floor(clearance->time) : clearance->time, path ? "" : " s");
+}
+
+std::string allowance(std::string_view of, const std::array<double, 2>& metres) {
+  return fmt::format("{} of {:.4g} m across and {:.4g} m up or down", of, metres[0], metres[1]);
+}
+
+// The autopilots that a drone file was looked at for, and what was taken for the vehicle's errors.
+void add_flown(const ReportRecord& report, std::vector<std::string>& out) {
+  if (!report.autopilot.empty()) out.push_back("as flown by " + report.autopilot);
+  if (!report.assumed.empty()) {
+    out.push_back(fmt::format("{} not given and assumed",
+                              geom::counted(report.assumed.size(), "parameter", "parameters")));
+  }
+  std::vector<std::string> errors;
+  if (report.navigation) {
+    errors.push_back(allowance("an error of its own place", *report.navigation));
+  }
+  if (report.tracking) errors.push_back(allowance("straying", *report.tracking));
+  if (!errors.empty()) {
+    out.push_back(fmt::format("allowed for {}", fmt::join(errors, ", and ")));
+  }
+}
+
+std::string returns_allowed_in_words(const ReturnReport& returns) {
+  std::string out = fmt::format("{} is clear from every instant as {} flies it", returns.action,
+                                returns.autopilot);
+  if (returns.least_height) {
+    out += fmt::format(" (at {:.4g} m above home; {:.4g} m would do)", returns.height,
+                       geom::rounded_up(*returns.least_height));
+  }
+  return out + ", if the battery lasts";
 }
 
 std::string accepted_in_words(const ReportRecord& report) {
   const CheckResult& result = report.result;
-  const bool path = report.checked == "path";
   std::string out = result.duration > 0 ? fmt::format("clear for {:.4g} s", result.duration)
                                         : std::string("clear on every leg");
-  out += clearance_in_words(result, path);
-  if (report.exact) out += "; proved again in exact numbers";
-  if (report.returns) {
-    out += fmt::format("; {} is clear from every instant", report.returns->action);
-    if (report.returns->least_height) {
-      out += fmt::format(" (at {:.4g} m above home; {:.4g} m would do)", report.returns->height,
-                         *report.returns->least_height);
-    }
-  }
-  if (report.tube) out += fmt::format("; clear with {}", in_words(report.tube->claim));
-  std::vector<std::string> missing;
-  for (const Limit limit : not_measured(result, report.limits)) {
-    missing.push_back(spoken(kind_of(limit).quantity));
-  }
-  if (!missing.empty()) {
-    out += fmt::format("; not measured: {}", fmt::join(missing, ", "));
-  }
-  if (!report.overridden.empty()) {
-    out += fmt::format("; looser than its record says (--override): {}",
-                       fmt::join(report.overridden, ", "));
-  }
-  return out;
+  out += clearance_in_words(report);
+  const std::string rests = rests_on_in_words(report);
+  return rests.empty() ? out : out + "; " + rests;
 }
 
 // What to do where a place is not free.
@@ -220,9 +241,10 @@ std::string unmeasured_in_words(const SampledReport& report) {
 std::string sampled_in_words(const SampledReport& report) {
   const SampledFlight& result = report.result;
   const std::string kept =
-      result.clearance ? fmt::format("came no nearer than {:.4g} m to an obstacle (at {:.6g} s)",
-                                     result.clearance->value, result.clearance->time)
-                       : std::string("touched nothing");
+      result.clearance
+          ? fmt::format("came no nearer than {:.4g} m to an obstacle (at {:.6g} s)",
+                        geom::rounded_down(result.clearance->value), result.clearance->time)
+          : std::string("touched nothing");
   return fmt::format("at its {} samples and straight between them the vehicle {}; {}",
                      report.samples, kept, unmeasured_in_words(report));
 }
@@ -408,6 +430,26 @@ std::string in_words(const TubeReport& tube, geom::Provenance over, const geom::
   over.margin = tube.margin;
   return fmt::format("with {}, {}; keep more room there, or fly slower", in_words(tube.claim),
                      flown_in_words(tube.check, over, map));
+}
+
+std::string rests_on_in_words(const ReportRecord& report) {
+  if (!accepted(report)) return "";
+  if (report.checked == kCheckedContingency) return report.detail;
+  std::vector<std::string> out;
+  if (report.exact) out.push_back("proved again in exact numbers");
+  add_flown(report, out);
+  if (report.returns) out.push_back(returns_allowed_in_words(*report.returns));
+  if (report.tube) out.push_back("clear with " + in_words(report.tube->claim));
+  std::vector<std::string> missing;
+  for (const Limit limit : not_measured(report.result, report.limits)) {
+    missing.push_back(spoken(kind_of(limit).quantity));
+  }
+  if (!missing.empty()) out.push_back(fmt::format("not measured: {}", fmt::join(missing, ", ")));
+  if (!report.overridden.empty()) {
+    out.push_back(fmt::format("looser than its record says (--override): {}",
+                              fmt::join(report.overridden, ", ")));
+  }
+  return fmt::format("{}", fmt::join(out, "; "));
 }
 
 std::string in_words(const ReportRecord& report, const geom::BoxMap& map) {

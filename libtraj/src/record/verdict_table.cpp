@@ -33,6 +33,31 @@ std::string number(const std::optional<double>& value, std::string_view unit) {
   return value ? fmt::format("{:.4g} {}", *value, unit) : "-";
 }
 
+// How far the pairs are kept apart.
+std::string apart_in_words(const TogetherTask& task) {
+  const auto& zone = task.rule.spacing.zone;
+  std::string out = "so that no two vehicles touch";
+  if (zone) {
+    out = fmt::format("by more than {:.6g} m{} or more than {:.6g} m in height", zone->reach.x(),
+                      zone->round
+                          ? " across"
+                          : fmt::format(" along x, more than {:.6g} m along y", zone->reach.y()),
+                      zone->reach.z());
+  }
+  if (const auto& zone = task.rule.spacing.downwash) {
+    out += fmt::format(", and none is within {:.6g} m across and {:.6g} m below another",
+                       zone->reach.x(), zone->reach.z());
+  }
+  if (task.overridden)
+    out += ", with a vehicle or margin smaller than its record says (--override)";
+  if (!task.dropped.empty()) {
+    out += fmt::format(
+        ", without {} left out",
+        geom::counted(task.dropped.size(), "refused flight that is", "refused flights that are"));
+  }
+  return out;
+}
+
 }  // namespace
 
 void VerdictTable::add(const ReportRecord& report, const geom::BoxMap& map) {
@@ -44,6 +69,7 @@ void VerdictTable::add(const ReportRecord& report, const geom::BoxMap& map) {
   if (result.clearance) row.clearance = result.clearance->value;
   if (result.duration > 0) row.duration = result.duration;
   row.sentence = in_words(report, map);
+  row.why = row.ok ? rests_on_in_words(report) : row.sentence;
 }
 
 void VerdictTable::add(const SampledReport& report, const geom::BoxMap& map) {
@@ -57,6 +83,7 @@ void VerdictTable::add(const SampledReport& report, const geom::BoxMap& map) {
   if (result.clearance) row.clearance = result.clearance->value;
   if (result.duration > 0) row.duration = result.duration;
   row.sentence = in_words(report, map);
+  if (!row.ok) row.why = row.sentence;
 }
 
 void VerdictTable::add(const TogetherResult& result, const TogetherTask& task,
@@ -69,8 +96,10 @@ void VerdictTable::add(const TogetherResult& result, const TogetherTask& task,
                                          geom::counted(left_out, "record has", "records have"))});
   }
   if (result.ok() && left_out == 0) {
-    lines_.push_back({true, fmt::format("{} proved to keep apart at every instant",
-                                        geom::counted(result.pairs, "pair is", "pairs are"))});
+    lines_.push_back({true, fmt::format("{} proved to keep apart at every instant{}, {}",
+                                        geom::counted(result.pairs, "pair is", "pairs are"),
+                                        task.rule.parked == Parked::gone ? " while both fly" : "",
+                                        apart_in_words(task))});
   }
 }
 
@@ -95,8 +124,8 @@ std::string VerdictTable::table(Colour colour) const {
   for (const Row& row : rows_) {
     out += fmt::format("{}{}  {}{}  {:>11}  {:>9}{}{}\n", row.id, blanks(row.id, id),
                        coloured(row.word, row.ok, colour), blanks(row.word, word),
-                       number(row.clearance, "m"), number(row.duration, "s"), row.ok ? "" : "  ",
-                       row.ok ? "" : row.sentence);
+                       number(row.clearance, "m"), number(row.duration, "s"),
+                       row.why.empty() ? "" : "  ", row.why);
   }
   return out + summary();
 }

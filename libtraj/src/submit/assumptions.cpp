@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geom/text/counted.h"
+#include "geom/text/rounded.h"
 #include "traj/record/disturbance_record.h"
 
 namespace traj {
@@ -182,7 +183,7 @@ class Assumptions {
         item(
             fmt::format("Returns may meet an obstacle: of the flight with the least, {:.4g} % of "
                         "the time has a return that is proved clear.",
-                        100 * least));
+                        geom::rounded_down(100 * least)));
       }
       return;
     }

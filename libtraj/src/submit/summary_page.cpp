@@ -11,6 +11,7 @@
 #include "assumptions.h"
 #include "geom/text/counted.h"
 #include "geom/text/markup.h"
+#include "geom/text/rounded.h"
 
 namespace traj {
 namespace {
@@ -38,6 +39,9 @@ p.note { color: #444; }
 )";
 
 std::string said(std::string_view text) { return geom::escaped_markup(text); }
+
+// Tables round to the safe side.
+constexpr double kClearanceRoom = 1e-3;  // metres, by which a clearance may be less than was found
 
 class Page {
  public:
@@ -135,7 +139,7 @@ class Page {
                      "Each trajectory has a tube of at most {:.3g} m, which is clear of every "
                      "obstacle: the simulated vehicle never leaves it. The nominal volumes hold "
                      "that vehicle with the buffer, wherever in its tube it is, at every instant.",
-                     widest_tube(flights_))
+                     geom::rounded_up(widest_tube(flights_), 3))
                : "The nominal volumes hold the vehicle with its margin and the buffer at every "
                  "instant of each trajectory.");
     }
@@ -290,13 +294,21 @@ class Page {
           "<tr><td>{}</td><td>{}</td><td class=\"n\">{:.1f}</td><td class=\"n\">{:g}</td>"
           "<td class=\"n\">{}</td><td class=\"n\">{:.1f}</td><td class=\"n\">{}</td>"
           "<td class=\"n\">{:.1f}</td>",
-          said(one.id), said(one.begins), one.duration, one.speed,
-          one.clearance ? fmt::format("{:.2f}", *one.clearance) : "", one.top,
-          returns ? fmt::format("{:.4g}", 100 * one.returns.value_or(0))
-                  : fmt::format("{:.1f}", one.contingency.across),
-          one.buffer);
-      if (energy) out_ += fmt::format("<td class=\"n\">{:.1f}</td>", one.energy.value_or(0) / 3600);
-      if (people) out_ += fmt::format("<td class=\"n\">{:.0f}</td>", one.people.value_or(0));
+          said(one.id), said(one.begins), geom::rounded_up_to(one.duration, 0.1), one.speed,
+          one.clearance
+              ? fmt::format("{:.2f}", geom::rounded_down_to(
+                                          std::max(0.0, *one.clearance - kClearanceRoom), 0.01))
+              : "",
+          geom::rounded_up_to(one.top, 0.1),
+          returns ? fmt::format("{:.4g}", geom::rounded_down(100 * one.returns.value_or(0)))
+                  : fmt::format("{:.1f}", geom::rounded_up_to(one.contingency.across, 0.1)),
+          geom::rounded_up_to(one.buffer, 0.1));
+      if (energy)
+        out_ += fmt::format("<td class=\"n\">{:.1f}</td>",
+                            geom::rounded_up_to(one.energy.value_or(0) / 3600, 0.1));
+      if (people)
+        out_ += fmt::format("<td class=\"n\">{:.0f}</td>",
+                            geom::rounded_up_to(one.people.value_or(0), 1));
       out_ += "</tr>\n";
     }
     out_ += "</table>\n";

@@ -43,6 +43,19 @@ TEST_F(Table, HasALineARecordAndCountsForSeveral) {
   EXPECT_NE(text.find("\n1 of 2 records are refused: 1 collision\n"), npos) << text;
 }
 
+// What a yes rests on stands beside it, of one record and of several.
+TEST_F(Table, SaysWhatIsReserved) {
+  ReportRecord loose = report("loose", true);
+  loose.overridden = {"vehicle"};
+  loose.limits[Limit::jerk] = 5;
+  table_.add(loose, city_);
+  add("b", true);
+  const std::string text = table_.text();
+  EXPECT_NE(text.find("  not measured: jerk; looser than its record says (--override): vehicle\n"),
+            npos)
+      << text;
+}
+
 TEST_F(Table, HasColoursForTerminalsAlone) {
   add("a", true);
   add("b", false);
@@ -58,8 +71,21 @@ TEST_F(Table, SaysHowTheFlightsAreTogether) {
   result.pairs = 3;
   table_.add(result, {}, 0);
   table_.add(result, {}, 1);
+  TogetherTask task;
+  task.rule.spacing.zone = cylinder(15, 5);
+  task.overridden = true;
+  task.dropped = {"d"};
+  table_.add(result, task, 0);
   table_.add({}, MovingSummary{.flights = 2, .obstacles = 1});
-  EXPECT_NE(table_.text().find("proved: 3 pairs are proved to keep apart"), npos);
+  EXPECT_NE(table_.text().find("proved: 3 pairs are proved to keep apart at every instant, so that "
+                               "no two vehicles touch\n"),
+            npos);
+  EXPECT_NE(
+      table_.text().find("by more than 15 m across or more than 5 m in height, with a vehicle "
+                         "or margin smaller than its record says (--override), without 1 "
+                         "refused flight that is left out\n"),
+      npos)
+      << table_.text();
   EXPECT_NE(table_.text().find("refused: 1 record has no trajectory"), npos);
   EXPECT_NE(table_.text().find("proved: 2 flights are proved clear of 1 obstacle that moves"),
             npos);

@@ -100,13 +100,39 @@ TEST_F(Verdict, SaysOfAnAcceptedRecordHowClearItIs) {
   ReportRecord report{"a", "trajectory", {}, {}, {}, {}, {}};
   report.result.ok = report.result.looked = true;
   report.result.duration = 69.2;
-  report.result.clearance = Extreme{0.523, 12.5};
-  EXPECT_EQ(said(report), "clear for 69.2 s, at least 0.523 m from every obstacle (at 12.5 s)");
+  report.result.clearance = Extreme{0.52348, 12.5};
+  EXPECT_EQ(said(report), "clear for 69.2 s, at least 0.5224 m from every obstacle (at 12.5 s)");
   report.limits[Limit::jerk] = 5;
   report.overridden = {"vmax"};
   EXPECT_NE(said(report).find("; not measured: jerk"), npos);
   EXPECT_NE(said(report).find("(--override): vmax"), npos);
   EXPECT_EQ(verdict_word(report), "ok");
+}
+
+// A clearance is known to 1 mm on a curve, and to rounding on a straight leg.
+TEST_F(Verdict, SaysNoMoreRoomThanThereIs) {
+  ReportRecord report{"a", "trajectory", {}, {}, {}, {}, {}};
+  report.result.ok = report.result.looked = true;
+  report.result.duration = 9;
+  report.result.clearance = Extreme{0.0009, 1};
+  EXPECT_NE(said(report).find("at least 0 m from"), npos) << said(report);
+  report.checked = "path";
+  report.result.duration = 0;
+  report.result.clearance = Extreme{123.49, 1};
+  EXPECT_NE(said(report).find("at least 123.4 m from"), npos) << said(report);
+}
+
+TEST_F(Verdict, SaysWhatAMissionsYesRestsOn) {
+  ReportRecord report{"a", "path", {}, {}, {}, {}, {}};
+  report.result.ok = report.result.looked = true;
+  report.autopilot = "px4:1.15";
+  report.assumed = {"MPC_XY_VEL_MAX"};
+  report.navigation = {0, 0};
+  report.returns = ReturnReport{.action = "rtl", .autopilot = "px4:1.15", .height = 60};
+  EXPECT_EQ(said(report),
+            "clear on every leg; as flown by px4:1.15; 1 parameter not given and assumed; allowed "
+            "for an error of its own place of 0 m across and 0 m up or down; rtl is clear from "
+            "every instant as px4:1.15 flies it, if the battery lasts");
 }
 
 TEST_F(Verdict, DoesNotRoundAValueToItsLimit) {

@@ -72,5 +72,21 @@ TEST(SummaryPage, SaysWhereTheFlightGeographyIsSmallerThanTheGuidelineAsksFor) {
   EXPECT_NE(page().find("1.2 m wide and 1 m high"), std::string::npos);
 }
 
+// A clearance is known to 1 mm. 0.4 people are not 0, and 99.999 % of the time is not all of it.
+TEST(SummaryPage, RoundsToTheSafeSide) {
+  FlightClaims one{.id = "q1", .kind = "trajectory"};
+  one.clearance = 1.1705;
+  one.top = 41.01;
+  one.people = 0.4;
+  one.returns = 0.999999;
+  Submission out;
+  out.population = SourceFile{};
+  out.method.risk.contingency = ContingencyRule::ways_home;
+  const std::string page = summary_page({}, out, {&one, 1});
+  for (const char* cell : {">1.16<", ">41.1<", ">1<", ">99.99<", "99.99 % of the time has"}) {
+    EXPECT_NE(page.find(cell), std::string::npos) << cell;
+  }
+}
+
 }  // namespace
 }  // namespace traj

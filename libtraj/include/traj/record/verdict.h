@@ -41,6 +41,11 @@ std::string advice_for(const ReportRecord& report);
 // much. Of a refused one: fault, item of a mission, time, place, and what to do.
 std::string in_words(const ReportRecord& report, const geom::BoxMap& map);
 
+// What the verdict on an accepted report rests on or leaves out: the autopilots and errors that
+// were taken, limits that were not measured, what was made looser. Empty where there is nothing to
+// say.
+std::string rests_on_in_words(const ReportRecord& report);
+
 // A time without a proved return: "from 12.3 s to 15.2 s no way home is proved: in the climb the
 // vehicle meets obstacle 7, near …".
 std::string in_words(const ReturnGap& gap, const geom::BoxMap& map);

@@ -48,6 +48,7 @@ class VerdictTable {
     std::optional<double> clearance;  // m
     std::optional<double> duration;   // s
     std::string sentence;
+    std::string why;  // beside it in a table: what is wrong, or what a yes rests on
   };
   struct Line {
     bool ok = false;
