@@ -452,6 +452,11 @@ std::string rests_on_in_words(const ReportRecord& report) {
   return fmt::format("{}", fmt::join(out, "; "));
 }
 
+std::string rests_on_in_words(const SampledReport& report) {
+  return report.map_said ? ""
+                         : "the log does not say its map, and was taken for this one (--override)";
+}
+
 std::string in_words(const ReportRecord& report, const geom::BoxMap& map) {
   const bool ways_home = report.checked == kCheckedContingency;
   if (accepted(report)) {
@@ -472,7 +477,8 @@ std::string in_words(const ReportRecord& report, const geom::BoxMap& map) {
 std::string in_words(const SampledReport& report, const geom::BoxMap& map) {
   const std::string_view reason = reason_of(report, map);
   const std::string sampled = sampled_in_words(report);
-  if (reason.empty()) return sampled;
+  const std::string rests = reason.empty() ? rests_on_in_words(report) : "";
+  if (reason.empty()) return rests.empty() ? sampled : sampled + "; " + rests;
   if (verdict(report.result) != "sampled") return touch_in_words(report, map);
   if (reason == "no_map") {
     return "the log does not say of which map its places are: read it with skyway-import-flight "

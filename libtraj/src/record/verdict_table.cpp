@@ -83,7 +83,7 @@ void VerdictTable::add(const SampledReport& report, const geom::BoxMap& map) {
   if (result.clearance) row.clearance = result.clearance->value;
   if (result.duration > 0) row.duration = result.duration;
   row.sentence = in_words(report, map);
-  if (!row.ok) row.why = row.sentence;
+  row.why = row.ok ? rests_on_in_words(report) : row.sentence;
 }
 
 void VerdictTable::add(const TogetherResult& result, const TogetherTask& task,

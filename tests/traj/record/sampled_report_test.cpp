@@ -57,6 +57,7 @@ TEST(SampledReport, RefusesALogThatDoesNotSayItsMap) {
   EXPECT_TRUE(says(in_words(one, scene().map()), "--override"));
   one.rule.any_map = true;
   EXPECT_TRUE(says(to_json_line(one, scene().map()), "\"overridden\":[\"map\"]"));
+  EXPECT_TRUE(says(in_words(one, scene().map()), "; the log does not say its map, and was taken"));
   EXPECT_FALSE(says(to_json_line(report(kNear, {0, 1}), scene().map()), "overridden"));
 }
 

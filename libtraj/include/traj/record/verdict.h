@@ -45,6 +45,7 @@ std::string in_words(const ReportRecord& report, const geom::BoxMap& map);
 // were taken, limits that were not measured, what was made looser. Empty where there is nothing to
 // say.
 std::string rests_on_in_words(const ReportRecord& report);
+std::string rests_on_in_words(const SampledReport& report);
 
 // A time without a proved return: "from 12.3 s to 15.2 s no way home is proved: in the climb the
 // vehicle meets obstacle 7, near …".
