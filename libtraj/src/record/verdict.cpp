@@ -446,7 +446,7 @@ std::string rests_on_in_words(const ReportRecord& report) {
   }
   if (!missing.empty()) out.push_back(fmt::format("not measured: {}", fmt::join(missing, ", ")));
   if (!report.overridden.empty()) {
-    out.push_back(fmt::format("looser than its record says (--override): {}",
+    out.push_back(fmt::format("looser than its record says (--override or --spare): {}",
                               fmt::join(report.overridden, ", ")));
   }
   return fmt::format("{}", fmt::join(out, "; "));

@@ -49,7 +49,7 @@ std::string apart_in_words(const TogetherTask& task) {
                        zone->reach.x(), zone->reach.z());
   }
   if (task.overridden)
-    out += ", with a vehicle or margin smaller than its record says (--override)";
+    out += ", with a vehicle or margin smaller than its record says (--override or --spare)";
   if (!task.dropped.empty()) {
     out += fmt::format(
         ", without {} left out",

@@ -51,8 +51,10 @@ TEST_F(Table, SaysWhatIsReserved) {
   table_.add(loose, city_);
   add("b", true);
   const std::string text = table_.text();
-  EXPECT_NE(text.find("  not measured: jerk; looser than its record says (--override): vehicle\n"),
-            npos)
+  EXPECT_NE(
+      text.find(
+          "  not measured: jerk; looser than its record says (--override or --spare): vehicle\n"),
+      npos)
       << text;
 }
 
@@ -80,11 +82,11 @@ TEST_F(Table, SaysHowTheFlightsAreTogether) {
   EXPECT_NE(table_.text().find("proved: 3 pairs are proved to keep apart at every instant, so that "
                                "no two vehicles touch\n"),
             npos);
-  EXPECT_NE(
-      table_.text().find("by more than 15 m across or more than 5 m in height, with a vehicle "
-                         "or margin smaller than its record says (--override), without 1 "
-                         "refused flight that is left out\n"),
-      npos)
+  EXPECT_NE(table_.text().find(
+                "by more than 15 m across or more than 5 m in height, with a vehicle "
+                "or margin smaller than its record says (--override or --spare), without 1 "
+                "refused flight that is left out\n"),
+            npos)
       << table_.text();
   EXPECT_NE(table_.text().find("refused: 1 record has no trajectory"), npos);
   EXPECT_NE(table_.text().find("proved: 2 flights are proved clear of 1 obstacle that moves"),

@@ -105,7 +105,7 @@ TEST_F(Verdict, SaysOfAnAcceptedRecordHowClearItIs) {
   report.limits[Limit::jerk] = 5;
   report.overridden = {"vmax"};
   EXPECT_NE(said(report).find("; not measured: jerk"), npos);
-  EXPECT_NE(said(report).find("(--override): vmax"), npos);
+  EXPECT_NE(said(report).find("(--override or --spare): vmax"), npos);
   EXPECT_EQ(verdict_word(report), "ok");
 }
 

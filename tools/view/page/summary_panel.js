@@ -27,7 +27,7 @@ function pairsVerdict() {
   const { check } = together;
   if (!check) return ["soft", "", "No report of skyway-check --together is here: nothing is proved of pairs."];
   if (check.refused) return ["bad", "✕", `${decimals(check.refused, 0)} of ${count(check.pairs, "pair")} are not proved apart.`];
-  const loose = check.overridden ? " Vehicles or margins were smaller than their records say (--override)." : "";
+  const loose = check.overridden ? " Vehicles or margins were smaller than their records say." : "";
   if (!check.pairs) return ["soft", "", "There are no two flights, so nothing is proved of pairs."];
   if (check.pairs === 1) return ["good", "✓", `Both flights are proved apart.${loose}`];
   return ["good", "✓", `All ${count(check.pairs, "pair")} of ${count(check.flights, "flight")} are proved apart.${loose}`];
