@@ -3,8 +3,8 @@
 // Numbers with few digits for sentences that say "at least" or "at most", which must stay true.
 //
 // Example:
-//   fmt::format("at least {:.4g} m", geom::rounded_down(4.37699));  // at least 4.376 m
-//   fmt::format("at most {:.4g} m", geom::rounded_up(0.42237));     // at most 0.4224 m
+//   assert(std::abs(geom::rounded_down(4.37699) - 4.376) < 1e-12);   // "at least 4.376 m"
+//   assert(std::abs(geom::rounded_up(0.42237) - 0.4224) < 1e-12);    // "at most 0.4224 m"
 
 #include <cmath>
 
