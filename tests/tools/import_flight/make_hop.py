@@ -1,6 +1,6 @@
 """make_hop.py FILE: the small PX4 log of the golden cases.
 
-A hop between two houses of village.csv: 4 s on the ground at 5 m north, 30 m east of its origin, up to 8 m, 20 m to the
+A hop between two houses of village.csv, onto a roof: 4 s on the ground at 5 m north, 30 m east of its origin, up to 8 m, 20 m to the
 north, 5 samples a second, with attitude, rates, setpoints, battery and motors.
 """
 
@@ -32,7 +32,7 @@ def hop():
         time = 1_000_000 + 200_000 * k
         at, velocity = place(k / 5)
         if k % 5 == 0:
-            log.row("vehicle_land_detected", timestamp=time - 3, landed=k <= 20)
+            log.row("vehicle_land_detected", timestamp=time - 3, landed=k <= 20 or k == 60)
             log.row("battery_status", timestamp=time - 3, remaining=0.9 - k / 500, connected=True)
         log.row("vehicle_attitude", timestamp=time - 2, q=[1, 0, 0, 0])
         log.row("vehicle_angular_velocity", timestamp=time - 2, xyz=[0.01, 0.02, 0.03])

@@ -47,6 +47,11 @@ void add_left_out(const Px4Flight& flight, std::vector<std::string>& out) {
         "the vehicle flew, or may have flown, before the first row: where it was then is not "
         "known, and the last row says cut");
   }
+  if (flight.ends_in_air && !flight.summary.cut_at) {
+    out.push_back(
+        "the vehicle still flies when the log ends: where the flight went then is not known, and "
+        "the last row says cut");
+  }
   if (flight.ends_silent) {
     out.push_back(
         "the log goes on for more than 1 s after the last row, without positions: where the flight "
@@ -131,6 +136,7 @@ nlohmann::ordered_json stats(const Px4Flight& flight) {
                                 {"begins_in_air", flight.begins_in_air},
                                 {"left_out_at_end", flight.left_out_at_end},
                                 {"ends_silent", flight.ends_silent},
+                                {"ends_in_air", flight.ends_in_air},
                                 {"resets", flight.resets},
                                 {"largest_reset", flight.largest_reset},
                                 {"version", log.version},

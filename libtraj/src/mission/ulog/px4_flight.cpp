@@ -295,10 +295,11 @@ class Collector {
     if (!track.empty()) {
       out_.begins_in_air = begins_in_air(track);
       out_.ends_silent = last_heard_ > track.last() + kSilent;
+      out_.ends_in_air = knows_landed_ && !stood_ && !touches_;
     }
     std::move(track).give(out_);
     out_.log.cut = out_.summary.cut_at.has_value() || out_.left_out_at_end > 0 ||
-                   out_.begins_in_air || out_.ends_silent;
+                   out_.begins_in_air || out_.ends_silent || out_.ends_in_air;
     return std::move(out_);
   }
 
@@ -322,6 +323,8 @@ class Collector {
     if (!*landed && !in_air_) in_air_ = knows_landed_ ? message.timestamp() : 0;
     if (stood_ && !*landed && !takeoff_) takeoff_ = message.timestamp();
     stood_ = *landed;
+    touches_ = message.flag("ground_contact").value_or(false) ||
+               message.flag("maybe_landed").value_or(false);
     knows_landed_ = true;
   }
 
@@ -336,6 +339,7 @@ class Collector {
   Track global_;
   std::uint64_t last_heard_ = 0;  // of any topic
   bool stood_ = false;
+  bool touches_ = false;  // the ground, and is about to be held for landed
   bool knows_landed_ = false;
   std::optional<std::uint64_t> in_air_;  // since when at first, 0: since before the log
   std::optional<std::uint64_t> takeoff_;

@@ -245,7 +245,20 @@ TEST(Px4Flight, IsCutWhereItFliesBeforeItsFirstPosition) {
   EXPECT_TRUE(lost(Log(took_off).row(kLanded, 4, true)).log.cut) << "flew and landed unseen";
   EXPECT_FALSE(lost(Log().row(kLanded, 0, true)).log.cut) << "it stood";
   EXPECT_TRUE(first_at(1, true)(Log().row(kLanded, 0, false)).log.cut) << "begins in the air";
-  EXPECT_FALSE(first_at(1, true)(Log().row(kLanded, 0, true).row(kLanded, 0.8, false)).log.cut);
+  EXPECT_FALSE(
+      first_at(1, true)(Log().row(kLanded, 0, true).row(kLanded, 0.8, false)).begins_in_air);
+}
+
+// As a log does that was cut exactly between two messages.
+TEST(Px4Flight, IsCutWhereItEndsInTheAir) {
+  const auto flown = [] {
+    return Log().row(kLanded, 0, true).local(1, {0, 0, 0}).row(kLanded, 2, false);
+  };
+  const Px4Flight flight = flown().local(3, {0, 0, -5}).read();
+  EXPECT_TRUE(flight.ends_in_air);
+  EXPECT_TRUE(flight.log.cut);
+  EXPECT_FALSE(flown().local(3, {0, 0, -5}).row(kLanded, 3.1, true).read().log.cut);
+  EXPECT_FALSE(Log().local(1, {0, 0, 0}).local(2, {0, 0, -5}).read().log.cut) << "nothing is known";
 }
 
 TEST(Px4Flight, IsCutWhereOtherTopicsGoOnWithoutPositions) {
@@ -261,7 +274,9 @@ TEST(Px4Flight, IsCutWhereItBeginsAfterItsTakeOff) {
   const auto begun = [](double begin, bool lands) {
     Log log;
     if (lands) log.row(kLanded, 0, true).local(1, {0, 0, 0}).row(kLanded, 2, false);
-    Px4Flight flight = log.local(3, {0, 0, -1}).local(4, {0, 0, -2}).local(5, {0, 0, -3}).read();
+    log.local(3, {0, 0, -1}).local(4, {0, 0, -2}).local(5, {0, 0, -3});
+    if (lands) log.row(kLanded, 5.1, true);
+    Px4Flight flight = log.read();
     EXPECT_EQ(begin_at(begin, flight), flight.log.cut);
     return flight.log.cut;
   };

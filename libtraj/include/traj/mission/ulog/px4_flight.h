@@ -33,12 +33,13 @@ struct Px4Flight {
   std::size_t not_known = 0;  // of these, left out: the vehicle did not know where it was
   std::size_t nowhere = 0;    // left out: it did not know where on Earth that is, and `over` asks
   std::size_t back = 0;       // left out: the time did not grow, or its clock was set back by 1 s
-  // Each of the next four says that the log is cut, if it is not 0 or false; the first one only
+  // Each of the next five says that the log is cut, if it is not 0 or false; the first one only
   // where the vehicle may have flown then.
   std::size_t left_out_at_begin = 0;  // of all these, the ones before the first sample
   bool begins_in_air = false;         // it flew, or may have flown, before the first sample
   std::size_t left_out_at_end = 0;    // the ones after the last sample
   bool ends_silent = false;           // other topics go on for more than 1 s after the last sample
+  bool ends_in_air = false;           // it has not come to the ground when the log ends
 
   std::optional<geom::GeodeticPlace> reference;  // the first, height above the sea
   std::optional<double> sea_level;               // m above the ellipsoid, as the log has it
