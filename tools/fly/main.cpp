@@ -61,17 +61,17 @@ void check_usage(const fly::Options& options, const Inputs& inputs, const Output
   const bool reports = !outputs.report.empty() || !outputs.certificate.empty();
   if (options.tune && (tube || reports)) {
     throw cli::UsageError(
-        "--tune writes gains: it takes neither --runs nor --proved-tube nor --report-file nor "
-        "--certificate");
+        "--tune writes gains: it takes no --runs, --proved-tube, --report-file or --certificate");
   }
   if (options.tune && options.proves() && options.flown.controller != traj::ControlLaw::geometric) {
     throw cli::UsageError(
-        "--tune --cost proved-tube tunes the geometric controller alone: give --controller "
-        "geometric");
+        "--tune --cost proved-tube tunes the geometric controller: give --controller geometric");
   }
-  if (options.proved_tube && !reports) {
+  if (tube && !reports) {
     throw cli::UsageError(
-        "--proved-tube: give --report-file or --certificate, which get the radius");
+        options.proved_tube
+            ? "--proved-tube: give --report-file or --certificate, which get the radius"
+            : "--runs: give --report-file, which gets their tube");
   }
   if (!outputs.certificate.empty() && !options.proved_tube) {
     throw cli::UsageError("--certificate: give --proved-tube, of whose proof it is");
@@ -232,6 +232,9 @@ int main(int argc, char** argv) {
       map = cli::open_map(inputs.map, geom::Verified::contents, common.execution("verify"));
     }
     if (const auto done = sharding.finished(common)) return *done;
+    if (map && options.runs > 0 && !options.tube) {
+      common.warn("the runs are not held against the map: --clear-tube asks that of their tube");
+    }
     std::optional<cli::Scenes> scenes;
     if (map) scenes.emplace(*map, flown_as(vehicle), cli::Scenes::Differences::allowed);
     const traj::SimulationOptions asked =

@@ -37,11 +37,9 @@ void Options::add_to(CLI::App& app) {
   app.add_option("--runs", runs, "fly this many times more, with wind and mass by chance")
       ->check(CLI::Range(1, 1000000));
   app.add_flag("--proved-tube", proved_tube,
-               "prove how far the vehicle can stray, for the winds, gusts and masses that are "
-               "allowed");
+               "prove how far the vehicle strays at most, in all allowed winds, gusts and masses");
   app.add_flag("--clear-tube", tube,
-               "with a map and --runs or --proved-tube: ask whether the map is clear with the "
-               "tube added");
+               "with a map: ask whether it is clear with the tube of --runs or --proved-tube");
   app.add_flag("--tune", tune, "write gains found for these trajectories instead of a log");
   app.add_option(
       "--cost", cost,

@@ -112,8 +112,7 @@ void Options::add_to(CLI::App& app) {
   cli::add_map_options(app, draft.map);
   app.add_option(
       "--ground-of", ground_of,
-      "write the ground of this box map, from a GeoTIFF of heights, for skyway-map patch "
-      "--ground-model");
+      "write the ground of this map, from a GeoTIFF of heights, for patch --ground-model");
   app.add_option("--cell", cell, "side of a cell of the ground, metres (default 10)")
       ->check(CLI::Range(0.1, 100.0));
   app.add_option("--vertical-error", vertical_error,

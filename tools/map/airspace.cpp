@@ -231,8 +231,7 @@ void Airspace::add_to(CLI::App& app) {
   app.add_flag("--close-unknown", close_unknown,
                "close the map at all heights where the height model does not know the ground");
   app.add_option("--zero-sea", zero_sea,
-                 "height of the map's z = 0 above the sea level, metres; 0 where the map counts "
-                 "from the sea")
+                 "height of the map's z = 0 above the sea level, metres; 0 where it is the sea's")
       ->check(CLI::Range(-1e4, 1e5));
   app.add_option("--geoid", geoid,
                  "height of the sea level (geoid) above the ellipsoid there, metres")

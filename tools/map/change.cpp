@@ -176,8 +176,7 @@ Verb patch(CLI::App& app, const cli::Common& common) {
       "of ASTM F3548; they become boxes labelled keep-out");
   verb->add_option(
           "--zero-height", changes->volumes.zero_height,
-          "height of the map's z = 0 above the ellipsoid, metres, for volumes of ASTM F3548 "
-          "and zones")
+          "height above the ellipsoid of the map's z = 0, metres, for ASTM F3548 volumes, zones")
       ->check(CLI::Range(-1e4, 1e5));
   verb->add_option("--epoch", changes->epoch,
                    "the instant that the map's times count from (RFC 3339, UTC)");

@@ -153,8 +153,7 @@ Verb bounds(CLI::App& app, const cli::Common& common) {
   verb->add_option("--ceiling", change->ceiling, "upper z of the bounds, metres");
   verb->add_option("--floor", change->floor, "lower z of the bounds, metres");
   verb->add_option("--pad", change->pad,
-                   "widen the bounds to at least this far beyond the obstacles, sideways and "
-                   "upward, metres")
+                   "widen the bounds to this far or more beyond obstacles, sideways and up, metres")
       ->check(CLI::Range(0.0, 1e6));
   cli::add_box(*verb, "--bounds", change->bounds,
                "the bounds along the map's axes, in place of --floor, --ceiling and --pad")

@@ -172,9 +172,8 @@ ExportOptions options_from(const py::kwargs& asked, const traj::MissionFormat& f
     }
     if (format.writes_with.has(*option)) continue;
     throw geom::UsageError(
-        fmt::format("{} is only for {} files: it would change nothing here, so "
-                    "leave it out",
-                    name, formats_with(*option)));
+        fmt::format("{} is only for {} files: it would change nothing here, so leave it out", name,
+                    formats_with(*option)));
   }
   if (out.speed && format.fastest > 0 && *out.speed > format.fastest) {
     throw geom::UsageError(

@@ -83,8 +83,7 @@ void Grid::write(const geom::CollisionScene& scene, const std::string& output,
     add("lowest", "m in the map's z: from here on it is free, up to highest", heights.lowest);
   } else {
     add("distance",
-        fmt::format("m: no obstacle is nearer to the vehicle at z = {:g} m anywhere in the "
-                    "cell",
+        fmt::format("m: no obstacle is nearer to the vehicle at z = {:g} m anywhere in the cell",
                     *height_),
         geom::distances_at(scene, grid, *height_, run));
   }

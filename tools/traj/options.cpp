@@ -51,8 +51,7 @@ void Options::add_to(CLI::App& app) {
   app.add_option("--times", times, "leg times: stops, distance, cautious, trapezoid or optimised")
       ->check(CLI::IsMember({"stops", "distance", "cautious", "trapezoid", "optimised"}));
   cli::add_word(app, "--corridor", solve.corridor, traj::kCorridorWords,
-                "the optimiser stays behind planes between path and obstacles (default), or in "
-                "empty boxes");
+                "the optimiser stays behind planes at the obstacles (default), or in empty boxes");
   cli::add_output(app, "--corridor-file", corridor_file,
                   "write the optimiser's corridors, JSON Lines with vertices and faces to draw");
   app.add_option("--rho", solve.rho,

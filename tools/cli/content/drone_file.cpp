@@ -162,8 +162,7 @@ void DroneFileOptions::add_heights_to(CLI::App& parser) {
       ->check(CLI::Range(0.0, 1e4));
   parser
       .add_option("--terrain-height", reading.rules.ground,
-                  "height of flat ground in the map's z, from which a mission's heights above "
-                  "terrain count")
+                  "the map's z of flat ground, from which a mission's heights above terrain count")
       ->check(CLI::Range(-1e6, 1e6));
   terrain.add_to(parser);
 }

@@ -17,8 +17,7 @@ traj::SurfaceBand surface_band_of(const std::string& text) {
       numbers ? traj::SurfaceBand{(*numbers)[0], (*numbers)[1]} : traj::SurfaceBand{};
   if (band.sound()) return band;
   throw geom::UsageError(
-      fmt::format("--surface-band: expected LOW,HIGH, 0 < LOW <= HIGH <= {:g}, "
-                  "found \"{}\"",
+      fmt::format("--surface-band: expected LOW,HIGH, 0 < LOW <= HIGH <= {:g}, found \"{}\"",
                   traj::SurfaceBand::kMost, text));
 }
 
@@ -26,12 +25,10 @@ traj::SurfaceBand surface_band_of(const std::string& text) {
 
 void TerrainOption::add_to(CLI::App& app) {
   app.add_option("--ground-model", word_,
-                 "the ground below a mission with heights above terrain or the surface, which is "
-                 "then a band of heights: a file of skyway-footprints --ground-of, or the map's z "
-                 "of flat ground");
+                 "the ground below a mission with heights above terrain or the surface (bands of "
+                 "heights then): a file of skyway-footprints --ground-of, or flat ground's z");
   app.add_option("--terrain-error", error_,
-                 "metres that the autopilot's own terrain may be above or below the ground at its "
-                 "posts")
+                 "metres by which the autopilot's own terrain may be off the ground at its posts")
       ->check(CLI::Range(0.0, 1000.0));
   app.add_option_function<std::string>(
          "--surface-band", [this](const std::string& text) { surface_ = surface_band_of(text); },

@@ -19,8 +19,7 @@ geom::Vec3 half_sizes(std::string_view numbers, std::size_t count, const std::st
   const auto values = parse_numbers(numbers, count);
   if (!values || *std::min_element(values->begin(), values->end()) < 0) {
     throw UsageError(
-        fmt::format("--vehicle: expected {}, half sizes in metres >= 0 such as {}, "
-                    "found \"{}\"",
+        fmt::format("--vehicle: expected {}, half sizes in metres >= 0 such as {}, found \"{}\"",
                     count == 1 ? "sphere:R" : "box:HX,HY,HZ",
                     count == 1 ? "sphere:0.3" : "box:0.5,0.5,0.3", word));
   }
