@@ -48,8 +48,7 @@ void add_dji_options(CLI::App& app, traj::DjiOptions& options, std::optional<dou
          "land or hover; only continue is a way that is proved")
       ->check(CLI::IsMember({"return", "continue", "land", "hover"}));
   app.add_option("--gimbal", options.gimbal,
-                 "DJI: pitch of the camera from the first waypoint on, degrees: -90 is straight "
-                 "down")
+                 "DJI: pitch of the camera from the first waypoint on, degrees: -90 is down")
       ->check(CLI::Range(traj::kDjiGimbalDown, traj::kDjiGimbalUp));
 }
 

@@ -84,8 +84,7 @@ void Options::add_to(CLI::App& app) {
   app.add_flag("--unchecked", unchecked, "write without a map and without a proof");
   cli::add_output(
       app, "-o,--output", output,
-      "file to write (default: stdout); with %s in the name, a file for each trajectory, %s "
-      "being its id");
+      "file (default: stdout); with %s in the name, a file for each trajectory, %s being its id");
   app.add_option(
          "--show", show,
          "Crazyflie: a folder to make, with a file for each trajectory and show.yaml, which "
@@ -154,8 +153,7 @@ void Options::require_outputs() const {
   for (const Output& one : all) {
     if (!one.name.empty() && geom::OutputNames(one.name, one.option).each() != each) {
       throw cli::UsageError(
-          fmt::format("--output and {}: expected %s in both or in neither, found \"{}\" and "
-                      "\"{}\"",
+          fmt::format("--output and {}: expected %s in both or in neither, found \"{}\" and \"{}\"",
                       one.option, output, one.name));
     }
   }

@@ -63,8 +63,7 @@ void ReturnOptions::require_sound(const CLI::App& app, const std::string& word,
   if (word != traj::kWpl.format.word) return;
   if (!fence_.empty() && fences_out.empty()) {
     throw cli::UsageError(
-        "ground stations load the fences of WPL missions from a file of their own: name it with "
-        "--fence-out");
+        "ground stations load fences of WPL missions from a file of their own: give --fence-out");
   }
   if (!rally_.empty() && rally_out.empty()) {
     throw cli::UsageError(

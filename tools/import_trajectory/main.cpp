@@ -50,10 +50,8 @@ struct Importer {
     for (const std::string& note : file.notes) common.warn(file.id + ": " + note);
     const traj::FlownMission* mission = traj::mission_of(file.flown);
     if (mission && mission->terrain) {
-      common.warn(
-          file.id +
-          ": the record is the middle of these bands: skyway-check MAP FILE looks at all of "
-          "each band");
+      common.warn(file.id +
+                  ": the record is the middle of bands that skyway-check MAP FILE looks at whole");
     }
     if (mission && (!mission->sweeps.empty() || !mission->fences.empty() || mission->corners > 0)) {
       common.warn(file.id +

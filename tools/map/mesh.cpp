@@ -65,6 +65,7 @@ Verb mesh_verb(CLI::App& app, const cli::Common& common, const char* name, const
             const geom::BoxMap map = open(files->map, common);
             cli::Contents contents = cli::read_contents(more->inputs, kKinds);
             cli::require_same_map(contents, &map, more->metres);
+            cli::warn_of_unsaid_maps(common, contents);
             cli::tell_left_out(common, "skyway-map", cli::drop_failed(contents));
             const auto parts = parts_of(map, contents, more->radius);
             cli::OutputFile out(files->output, cli::OutputKind::artefact);

@@ -89,6 +89,7 @@ Drawn<Record> one_of(const std::vector<cli::Read<Record>>& list, const Options& 
 std::string plan(const Options& options) {
   const geom::BoxMap map = cli::open_map(options.map, geom::Verified::extents);
   const cli::Contents contents = read(options, &map);
+  cli::warn_of_unsaid_maps(options.common, contents);
   const geom::Axes axes = map.spec().frame.axes;
   return geom::figure::plan_view(map, plot::plan_trees(contents, axes),
                                  plot::plan_lines(contents, axes));

@@ -117,6 +117,7 @@ int main(int argc, char** argv) {
     }
     cli::Contents contents = cli::read_contents(options.inputs);
     cli::require_same_map(contents, &map, options.metres);
+    cli::warn_of_unsaid_maps(common, contents);
     cli::tell_left_out(common, "skyway-render", cli::drop_failed(contents));
     const geom::Axes axes = map.spec().frame.axes;
     const auto motions = motions_of(contents, axes);

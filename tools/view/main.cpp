@@ -86,6 +86,7 @@ int main(int argc, char** argv) {
     drone_files.terrain.refuse_idle(drone_files.reading.rules);
     drone_files.autopilot.settle(vehicle.profile());
     const cli::Contents contents = read(files, drone_files, metres);
+    if (contents.map) cli::warn_of_unsaid_maps(common, contents);
     drone_files.require_any_used(app, contents.drone_flights);
     const bool moves = !contents.trajectories.empty() || !contents.flights.empty();
     cli::only_for(app, moves, {"--margin"}, "trajectories and flight logs");

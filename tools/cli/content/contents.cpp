@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "cli/file/files.h"
@@ -231,6 +232,14 @@ void require_same_map(const Contents& contents, const geom::BoxMap* map,
   claims(contents.contingencies);
   for (const auto& [record, source, line] : contents.together) {
     if (record.map) same.require_exactly({*record.map, {}, {}, {}}, source, line);
+  }
+}
+
+void warn_of_unsaid_maps(const Common& common, const Contents& contents) {
+  std::set<std::string> files;
+  for (const auto& [flight, file, line] : contents.flights) {
+    if (!flight.map.empty() || !files.insert(file).second) continue;
+    common.warn(file + ": the log does not say its map: it is drawn as if it were of this one");
   }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/content/drone_file.h"
+#include "cli/option/common.h"
 #include "cli/option/degrees.h"
 #include "cli/option/scenes.h"
 #include "geom/map/box_map.h"
@@ -73,6 +74,9 @@ Contents read_contents(const std::vector<std::string>& inputs, const ContentKind
 // trajectories and flight logs whose coordinates look like degrees on `map`.
 void require_same_map(const Contents& contents, const geom::BoxMap* map,
                       const MetresOption& metres = MetresOption());
+
+// Warns of flight logs that are drawn over the map and do not say that they are of it.
+void warn_of_unsaid_maps(const Common& common, const Contents& contents);
 
 // Leaves out paths that were not found and trajectories that were not solved; returns how many.
 std::size_t drop_failed(Contents& contents);
