@@ -7,7 +7,9 @@
 #include "geom/base/usage_error.h"
 #include "geom/record/agreed_room.h"
 #include "geom/record/start_on_map.h"
+#include "traj/flight/vehicle_profile.h"
 #include "traj/mission/judge/judge.h"
+#include "traj/mission/named_aircraft.h"
 #include "traj/proof/exact/exact_check.h"
 
 namespace traj {
@@ -46,6 +48,18 @@ void hold_limits(const geom::CollisionScene& scene, const RecordRules& rules, co
   for (const geom::LimitKind& kind : geom::kLimitKinds) {
     if (report.limits[kind.limit] != strict[kind.limit]) report.overridden.emplace_back(kind.name);
   }
+}
+
+// The box and the limits of the aircraft that a file names, as those that a record asks for.
+Limits hold_aircraft(const geom::CollisionScene& scene, const RecordRules& rules,
+                     const FileFlight& file, ReportRecord& report) {
+  if (!rules.override_record) {
+    require_room_for_aircraft(scene.vehicle(), file);
+  } else if (!why_too_small(scene.vehicle(), file.vehicle).empty()) {
+    report.overridden.emplace_back("vehicle");
+  }
+  const auto named = vehicle_named(file.vehicle);
+  return named ? named->vehicle.limits : Limits{};
 }
 
 // Of a collision while it stands on its pads.
@@ -159,7 +173,8 @@ ReportRecord check_record(const geom::CollisionScene& scene, const FileFlight& f
   if (exact) require_exact(file.flown);
   const FlownLegs* legs = legs_of(file.flown);
   ReportRecord report{.id = file.id, .checked = legs ? "path" : "trajectory"};
-  hold_limits(scene, rules, {}, report);
+  const Limits aircraft = hold_aircraft(scene, rules, file, report);
+  hold_limits(scene, rules, aircraft, report);
   report.provenance = geom::provenance_of(scene);
   if (const FlownMission* mission = mission_of(file.flown)) {
     report.home = mission->home;

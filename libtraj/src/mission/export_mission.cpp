@@ -10,6 +10,9 @@
 #include "mission/refusal.h"
 #include "traj/curve/to_enu.h"
 #include "traj/curve/vertical_ends.h"
+#include "traj/mission/dji/dji_mission.h"
+#include "traj/mission/formats/mission_formats.h"
+#include "traj/mission/named_aircraft.h"
 #include "traj/mission/straight_legs.h"
 
 namespace traj {
@@ -117,6 +120,12 @@ void set_ground(const geom::CollisionScene& scene, MissionTask& task) {
   task.landing = ground_below(scene, segments.back().point.back());
 }
 
+// A mission of DJI names an aircraft, which the proof must be for.
+std::string why_not_for(const geom::Vehicle& vehicle, const MissionTask& task) {
+  if (task.format != &kDjiWpml) return "";
+  return why_too_small(vehicle, vehicle_of(task.options.dji.aircraft));
+}
+
 }  // namespace
 
 std::string why_unfit(const ExportFlight& flight, const MissionFormat& format) {
@@ -134,6 +143,9 @@ MissionExport export_mission(const geom::CollisionScene& scene, const ExportFlig
       task_of(flight, scene.map().spec().frame,
               geom::limits_that_hold({{}, flight.limits, scene.vehicle().limits}), format, options);
   if (std::string why = why_unfit(flight, format); !why.empty()) return {{}, std::move(why)};
+  if (std::string why = why_not_for(scene.vehicle(), task); !why.empty()) {
+    return {{}, std::move(why)};
+  }
   if (!format.prove) set_ground(scene, task);
   MissionProof proof = write_proved(scene, task);
   if (!proof.refusal.empty()) return {{}, std::move(proof.refusal), proof.result};

@@ -3,6 +3,8 @@
 #include <numeric>
 #include <utility>
 
+#include "traj/mission/named_aircraft.h"
+
 namespace traj {
 namespace {
 
@@ -25,7 +27,7 @@ std::optional<geom::PathRecord> path_record(const FileFlight& file,
   geom::PathRecord record;
   record.id = file.id;
   record.status = geom::PathStatus::found;
-  record.provenance = provenance;
+  record.provenance = made_for(file, provenance);
   record.points = with_ends ? whole_path(*legs) : legs->path;
   if (!with_ends) record.hold = legs->hold;
   return record;
@@ -35,7 +37,7 @@ TrajectoryRecord trajectory_record(const FileFlight& file, const geom::Provenanc
   TrajectoryRecord record;
   record.id = file.id;
   record.status = TrajectoryStatus::solved;
-  record.provenance = provenance;
+  record.provenance = made_for(file, provenance);
   record.trajectory = trajectory_of(file.flown);
   return record;
 }
@@ -44,7 +46,7 @@ std::optional<CorridorShape> regions_record(const FileFlight& file,
                                             const geom::Provenance& provenance) {
   const FlownMission* mission = mission_of(file.flown);
   if (!mission) return std::nullopt;
-  CorridorShape shape{file.id, provenance, {}};
+  CorridorShape shape{file.id, made_for(file, provenance), {}};
   const auto add = [&shape](std::vector<Vec3> polygon) {
     CorridorShape::Piece& piece = shape.pieces.emplace_back();
     std::vector<std::uint32_t>& face = piece.faces.emplace_back(polygon.size());

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geom/collision/collision.h"
+#include "traj/flight/vehicle_profile.h"
 #include "traj/submit/operation.h"
 
 namespace traj {
@@ -21,7 +22,7 @@ SubmittedFlight::SubmittedFlight(const geom::CollisionScene& scene, const Submis
 std::string SubmittedFlight::refusal() const {
   if (!accepted(report_)) return "its check refuses it";
   if (const auto why = why_no_times()) return *why;
-  if (const auto why = why_dimension_wrong(method_.risk.dimension, scene_.vehicle())) return *why;
+  if (const auto why = why_not_of_vehicle()) return *why;
   if (!speed()) return "no limit on its speed is proved, which its volumes need: give --vmax";
   if (const auto& energy = method_.energy; energy && duration() > flying_time(*energy)) {
     return fmt::format(
@@ -40,6 +41,14 @@ std::string SubmittedFlight::refusal() const {
         lowest(), method_.floor);
   }
   return "";
+}
+
+std::optional<std::string> SubmittedFlight::why_not_of_vehicle() const {
+  const double dimension = method_.risk.dimension;
+  auto why = why_dimension_wrong(dimension, scene_.vehicle());
+  const auto named = vehicle_named(aircraft_);
+  if (why || !named) return why;
+  return why_dimension_wrong(dimension, named->vehicle, named->body);
 }
 
 std::optional<double> SubmittedFlight::speed() const {

@@ -56,6 +56,7 @@ SubmittedMission::SubmittedMission(const geom::CollisionScene& scene, const File
                                    const SubmissionMethod& method, const Flier& flier)
     : SubmittedFlight(scene, method) {
   report_ = check_record(scene, file, flier, {.asked = method.limits});
+  aircraft_ = file.vehicle;
   const FlownMission* mission = mission_of(file.flown);
   is_mission_ = mission && mission->home && (!mission->drift.empty() || mission->speed);
   if (!is_mission_) return;

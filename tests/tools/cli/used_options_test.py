@@ -145,7 +145,7 @@ def flights():
 
 def main():
     run(bin_dir / "skyway-import", data / "village.csv", "-q", "--bounds", "0,0,0,80,60,60", "-o", "m.boxmap")
-    run(bin_dir / "skyway-plan", "m.boxmap", "--from", "5,30,5", "--to", "70,10,5", "--vehicle", "box:0.3,0.3,0.3", "--margin", "2",
+    run(bin_dir / "skyway-plan", "m.boxmap", "--from", "5,30,5", "--to", "70,10,5", "--vehicle", "box:0.45,0.45,0.35", "--margin", "2",
         "-o", "p.jsonl")
     run(bin_dir / "skyway-traj", "m.boxmap", "p.jsonl", "--vmax", "2", "--amax", "4", "--solver", "stop-and-go", "-o", "t.jsonl")
     record = pathlib.Path("t.jsonl").read_text()

@@ -20,7 +20,7 @@ count = int(sys.argv[2]) if len(sys.argv) > 2 else 60
 rng = random.Random(int(sys.argv[3]) if len(sys.argv) > 3 else 20)
 LAT, LON = 47.0, 8.0
 PLACE = ("--origin", f"{LAT},{LON},400")
-VEHICLE = ("--vehicle", "box:0.3,0.3,0.2")
+VEHICLE = ("--vehicle", "box:0.45,0.45,0.35")  # that holds a Mavic 3
 NORTH = 1 / 111174.0  # degrees a metre
 EAST = 1 / 76057.0
 TOWER = (100, -50, 0, 120, 50, 80)
@@ -176,8 +176,8 @@ def beside():
 
 def across():
     """Two points between which the tower stands, by up to a metre or far."""
-    y = rng.choice([rng.uniform(-49, 49), rng.choice([-1, 1]) * (50.3 - rng.uniform(0.02, 1))])
-    z = rng.choice([rng.uniform(25, 79), 80.2 - rng.uniform(0.02, 1)])
+    y = rng.choice([rng.uniform(-49, 49), rng.choice([-1, 1]) * (50.45 - rng.uniform(0.02, 1))])
+    z = rng.choice([rng.uniform(25, 79), 80.35 - rng.uniform(0.02, 1)])
     pair = [(rng.uniform(0, 90), y, z), (rng.uniform(130, 200), y, z)]
     rng.shuffle(pair)
     return pair

@@ -50,6 +50,23 @@ TEST(CheckRecord, AcceptsAFreePathAndRefusesOneThroughABox) {
   EXPECT_EQ(blocked.checked, "path");
 }
 
+TEST(CheckRecord, HoldsTheVehicleAgainstTheAircraftThatAFileNames) {
+  const auto scene = scene_of({kTower});  // of a vehicle that is smaller than any of DJI
+  FlownLegs legs;
+  legs.path = {{0, 5, 5}, {9, 5, 5}};
+  FileFlight file = file_of({legs});
+  EXPECT_TRUE(accepted(check_record(scene, file, {}, {})));
+  file.vehicle = "m350";
+  EXPECT_THROW(check_record(scene, file, {}, {}), geom::InputError);
+  const auto insisted = check_record(scene, file, {}, {.override_record = true});
+  EXPECT_TRUE(accepted(insisted));
+  EXPECT_EQ(insisted.overridden, std::vector<std::string>{"vehicle"});
+  const geom::CollisionScene large(scene.map(), {"large", {2, 2, 2}, {}}, 0);
+  const auto report = check_record(large, file, {}, {});
+  EXPECT_TRUE(accepted(report));
+  EXPECT_EQ(report.limits[Limit::speed], 15) << "of the aircraft, where the vehicle has none";
+}
+
 TEST(CheckRecord, RefusesWhatHoldsNothingToCheckWithTheReasonOfItsStatus) {
   const auto scene = scene_of({});
   const TrajectoryRecord none{.id = "q1", .status = TrajectoryStatus::infeasible};

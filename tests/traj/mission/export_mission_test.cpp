@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "geom/base/usage_error.h"
+#include "traj/flight/vehicle_profile.h"
 #include "traj/mission/formats/mission_formats.h"
 #include "traj/mission/judge/judge.h"
 #include "traj/mission/read_mission.h"
@@ -14,6 +15,13 @@ namespace {
 // Over flat ground at 0, with boxes in it.
 geom::CollisionScene field(std::vector<geom::Aabb> boxes = {}) {
   return testing::scene_of(std::move(boxes), {Vec3(-200, -200, 0), Vec3(200, 200, 90)});
+}
+
+// The same for the aircraft that a mission of DJI names, and for no size else.
+geom::CollisionScene field_for(const MissionFormat& format, std::vector<geom::Aabb> boxes = {}) {
+  const geom::CollisionScene small = field(std::move(boxes));
+  const bool dji = &format == &kDjiWpml;
+  return {small.map(), {"made for", dji ? vehicle_named("m3e")->vehicle.half : Vec3::Zero()}, 0};
 }
 
 // 30 m straight ahead, 20 m up, in 20 s, from rest to rest.
@@ -40,7 +48,7 @@ ExportOptions options() {
 TEST(ExportMission, EveryFormatHoldsWhatIsFree) {
   for (const MissionFormat* format : mission_formats()) {
     if (!format->write && !format->prove) continue;
-    const MissionExport made = export_mission(field(), ahead(), *format, options());
+    const MissionExport made = export_mission(field_for(*format), ahead(), *format, options());
     ASSERT_TRUE(made.written) << format->format.word << ": " << made.refusal;
     EXPECT_TRUE(made.refusal.empty());
     EXPECT_TRUE(made.result.ok);
@@ -53,6 +61,13 @@ TEST(ExportMission, EveryFormatHoldsWhatIsFree) {
   }
 }
 
+TEST(ExportMission, NoMissionIsProvedForLessThanTheAircraftThatItNames) {
+  const geom::CollisionScene small = testing::scene_of({}, field().map().spec().bounds);
+  const MissionExport made = export_mission(small, ahead(), kDjiWpml, options());
+  EXPECT_FALSE(made.written);
+  EXPECT_NE(made.refusal.find("m3e"), std::string::npos) << made.refusal;
+}
+
 // A wall across the way, wherever it stands, is in no format's blind spot.
 TEST(ExportMission, NoFormatIsWrittenThroughAWall) {
   testing::Random random(5);
@@ -60,7 +75,8 @@ TEST(ExportMission, NoFormatIsWrittenThroughAWall) {
     if (!format->write && !format->prove) continue;
     for (int i = 0; i < 5; ++i) {
       const double x = random.number(1, 29);
-      const geom::CollisionScene walled = field({{{x, -199, 0.1}, {x + 0.01, 199, 89}}});
+      const geom::CollisionScene walled =
+          field_for(*format, {{{x, -199, 0.1}, {x + 0.01, 199, 89}}});
       const MissionExport made = export_mission(walled, ahead(), *format, options());
       EXPECT_FALSE(made.written) << format->format.word << " at " << x;
       EXPECT_FALSE(made.result.ok);

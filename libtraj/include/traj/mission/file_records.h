@@ -1,6 +1,7 @@
 #pragma once
 
-// The flights of a drone file as records of paths, trajectories and corridors.
+// The flights of a drone file as records of paths, trajectories and corridors, made for the
+// aircraft that the file names (made_for(): it throws where the provenance has a smaller vehicle).
 //
 // Example:
 //   traj::FlownLegs legs;

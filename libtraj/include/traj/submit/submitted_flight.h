@@ -72,8 +72,12 @@ class SubmittedFlight {
   const SubmissionMethod& method_;
   ReportRecord report_;
   std::optional<FlightReturn> return_;  // where its volumes are to be ways home
+  std::string_view aircraft_;           // that its file names, as vehicle_named() takes it
 
  private:
+  // Why the operation's vehicle is neither the one that was proved nor the one that the file names.
+  std::optional<std::string> why_not_of_vehicle() const;
+
   std::optional<TerrainRules> ground_;
 };
 
