@@ -49,8 +49,7 @@ sharded lattice skyway-lattice map --spacing 10 --connect 26 --vehicle box:0.5,0
 sharded roadmap skyway-roadmap map --reach 50 --vehicle box:0.5,0.5,0.3
 sharded paths skyway-plan map --lattice lattice.1 --queries queries --vehicle box:0.5,0.5,0.3 --snap-ends 30
 sharded trajectories skyway-traj map paths.1 --vmax 8 --amax 6 --solver stop-and-go
-sharded log skyway-fly trajectories.1 --vehicle "$vehicle" --wind 3,1,0 --gusts 3 --noise 0.01,0.05,0.5,1 --mass-error 0.1 \
-  --runs 9 --log-rate 10
+sharded log skyway-fly trajectories.1 --vehicle "$vehicle" --wind 3,1,0 --gusts 3 --noise 0.01,0.05,0.5,1 --mass-error 0.1 --log-rate 10
 sharded reports skyway-check map trajectories.1
 sharded home skyway-plan map --home "$sites" trajectories.1
 # As on a processor without vector instructions.

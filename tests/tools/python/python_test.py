@@ -21,7 +21,7 @@ from skyway import _skyway  # noqa: E402
 
 in_python = _skyway.in_python  # what a tool says of its options, said of keyword arguments
 
-VEHICLE = "box:0.5,0.5,0.3"
+VEHICLE = "box:0.5,0.5,0.32"
 
 
 def tool(name, *arguments, code=0, text=None):

@@ -454,10 +454,11 @@ def prepare(folder, tools):
     timed = TRAJECTORY.to_json().replace('"id":"q1"', '"id":"q1","epoch":"2026-05-04T06:30:00Z","start":0')
     (folder / "timed.jsonl").write_text(timed if timed.endswith("\n") else timed + "\n")
     words = ["--vehicle", "box:0.2,0.2,0.2", "-q"]
+    large = ["--vehicle", "box:0.3,0.3,0.2", "-q"]  # as the operation says
     for tool, *given in (("lattice", "room.boxmap", "--spacing", "1", *words, "-o", "room.lattice"),
                          ("roadmap", "room.boxmap", *words, "-o", "room.roadmap"),
                          ("fly", "t.jsonl", "-q", "--vehicle", source_dir.resolve() / "data/vehicles/quad2kg.json", "-o", "flight.csv"),
-                         ("submit", "room.boxmap", "timed.jsonl", "--operation", SAMPLES.resolve() / "operation.json", *words, "--no-page",
+                         ("submit", "room.boxmap", "timed.jsonl", "--operation", SAMPLES.resolve() / "operation.json", *large, "--no-page",
                           "--origin", "47,8,400", "-o", "delivery")):
         subprocess.run([tools / f"skyway-{tool}", *given], cwd=folder, check=True)
 

@@ -3,8 +3,8 @@
 // The aircraft that a mission names, held against the vehicle that it is proved for.
 //
 // Example:
-//   const auto refusal = traj::why_too_small(scene.vehicle(), "m3e");
-//   if (!refusal.empty()) throw geom::InputError("mission.kmz", {.says = refusal});
+//   assert(!traj::why_too_small(traj::vehicle_named("tello")->vehicle, "m3e").empty());
+//   assert(traj::why_too_small(traj::vehicle_named("m3e")->vehicle, "m3e").empty());
 
 #include <string>
 #include <string_view>
