@@ -173,8 +173,19 @@ struct PlanReader {
     item.latitude = param(4);
     item.longitude = param(5);
     item.altitude = param(6);
+    item.goes_on = goes_on(json, where);
     require_one_height(json, item, where);
     return item;
+  }
+
+  bool goes_on(const Json& json, const std::string& where) const {
+    if (!json.contains("autoContinue")) return true;
+    const Json& value = json["autoContinue"];
+    if (value == true || value == 1) return true;
+    if (value == false || value == 0) return false;
+    refuse({.key = fmt::format("{}.autoContinue", where),
+            .expected = "true or false",
+            .found = shown(value)});
   }
 
   // What the file says of an item's height beside its frame and seventh parameter: QGroundControl

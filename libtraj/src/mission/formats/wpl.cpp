@@ -110,7 +110,9 @@ struct LineReader {
             v[9],
             v[10],
             line,
-            index};
+            index,
+            0,
+            v[11] == 1};
   }
 };
 

@@ -74,6 +74,25 @@ void require_legs_are_kept(const MissionRules& rules, std::string_view source) {
   }
 }
 
+// PX4 (MissionBase::on_active) advances only from an item whose autocontinue is 1.
+void require_goes_on(const Mission& mission, std::span<const std::size_t> order,
+                     const MissionRules& rules, std::string_view source) {
+  if (flown_by(Firmware::ardupilot, rules)) return;
+  const MissionItem* stays = nullptr;
+  for (const std::size_t i : order) {
+    const MissionItem& item = mission.items[i];
+    if (stays && !moves_nothing(item.command)) {
+      refuse_item(source, *stays,
+                  {.key = "autocontinue",
+                   .expected = "1, where other items follow",
+                   .found = "0",
+                   .advice = "PX4 stays there until somebody makes it go on; ArduPilot does not "
+                             "heed it (--autopilot)"});
+    }
+    if (!item.goes_on) stays = &item;
+  }
+}
+
 // PX4 (MissionBase) looks for a beacon where the second parameter is 1 or 2: it climbs to search,
 // and lands beside its place. ArduPilot does so where PLND_ENABLED says so.
 void require_lands_below(const MissionItem& landing, const MissionRules& rules,

@@ -2,6 +2,8 @@
 
 // Which autopilots a mission is for.
 
+#include <cstddef>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -27,6 +29,11 @@ bool flown_by(Firmware firmware, const MissionRules& rules);
 // Throws geom::InputError(source, …) where one of the rules' autopilots goes round obstacles as it
 // likes.
 void require_legs_are_kept(const MissionRules& rules, std::string_view source);
+
+// Throws geom::InputError(source, line, …) where PX4 may fly the mission, whose items are flown in
+// this order, and would stay at one of them for ever although others that move it follow.
+void require_goes_on(const Mission& mission, std::span<const std::size_t> order,
+                     const MissionRules& rules, std::string_view source);
 
 // Throws geom::InputError(source, line, …) where one of them does not land straight below its
 // place.

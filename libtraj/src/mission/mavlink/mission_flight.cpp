@@ -45,6 +45,7 @@ class Flight {
   FlownMavlink fly() {
     require_legs_are_kept(rules_, source_);
     order_ = flown_order(mission_, source_, flown_.endless_jumps);
+    require_goes_on(mission_, order_, rules_, source_);
     if (const MissionItem* item = not_for_px4(mission_)) {
       flown_.not_for_px4 = item->command;
       flown_.above_terrain = counts_from_terrain(*item);

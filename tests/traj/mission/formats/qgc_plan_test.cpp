@@ -65,6 +65,19 @@ std::string refusal(const std::string& text) {
   return support::refusal_of([&] { read(text); });
 }
 
+TEST(QgcPlan, ReadsWhetherAnItemGoesOn) {
+  const auto goes_on = [](const std::string& value) {
+    return read(plan(item(R"("frame":3,"autoContinue":)" + value))).items[0].goes_on;
+  };
+  EXPECT_TRUE(goes_on("true"));
+  EXPECT_TRUE(goes_on("1"));
+  EXPECT_FALSE(goes_on("false"));
+  EXPECT_FALSE(goes_on("0"));
+  EXPECT_TRUE(read(plan(item(R"("frame":3)"))).items[0].goes_on);
+  EXPECT_EQ(refusal(plan(item(R"("frame":3,"autoContinue":"no")"))),
+            "m.plan: mission.items[0].autoContinue must be true or false, found \"no\"");
+}
+
 TEST(QgcPlan, HoldsTheHeightsThatItSaysTwiceAgainstEachOther) {
   EXPECT_EQ(
       refusal(plan(item(R"("frame":0,"AltitudeMode":3,"Altitude":12,"AMSLAltAboveTerrain":30)"))),

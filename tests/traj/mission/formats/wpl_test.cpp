@@ -89,6 +89,14 @@ Mission read(const std::string& text) { return read_wpl(support::Text(text), "m.
 
 const std::string kItem = "\t0\t3\t16\t0\t0\t0\t0\t47\t8\t15\t1";
 
+TEST(Wpl, ReadsWhetherAnItemGoesOn) {
+  const Mission mission = read(
+      "QGC WPL "
+      "110\n0\t1\t3\t16\t0\t2\t0\t0\t47\t8\t30\t1\n1\t0\t3\t16\t0\t2\t0\t0\t47\t8\t30\t0\n");
+  EXPECT_TRUE(mission.items[0].goes_on);
+  EXPECT_FALSE(mission.items[1].goes_on);
+}
+
 TEST(Wpl, RefusesARallyPointWhoseHeightDoesNotCountFromHome) {
   const std::string home = kHome;
   EXPECT_EQ(refusal(home + "1\t0\t0\t5100\t0\t0\t0\t0\t47\t8\t400\t1\n"),

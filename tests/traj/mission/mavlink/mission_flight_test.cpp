@@ -122,6 +122,23 @@ TEST(FlownMission, AStopMeansNoCornerAndADelayAWiderOne) {
   EXPECT_TRUE(swept(flown, Manoeuvre::leg, {95, 40, 30})) << "from where it waits, 10 m before";
 }
 
+TEST(FlownMission, StaysForEverAtAnItemWithoutAutocontinue) {
+  const auto refusal = [](std::size_t stays, const MissionRules& rules) {
+    Maker maker;
+    maker.add(kWaypoint, {50, 0, 30}).just(kSpeed, {1, 5, -1}).add(kWaypoint, {50, 50, 30});
+    if (stays < 4) maker.mission().items[stays].goes_on = false;
+    return maker.refusal(rules);
+  };
+  MissionRules ardupilot;
+  ardupilot.autopilots = {{.firmware = Firmware::ardupilot}};
+  for (const std::size_t stays : {0u, 1u, 2u}) {
+    EXPECT_NE(refusal(stays, {}).find("autocontinue"), std::string::npos) << stays;
+    EXPECT_EQ(refusal(stays, ardupilot), "") << stays;
+  }
+  EXPECT_EQ(refusal(3, {}), "");  // nothing follows
+  EXPECT_EQ(refusal(4, {}), "");
+}
+
 TEST(FlownMission, AShortHoldIsNoRest) {
   Maker maker;
   maker.add(kWaypoint, {100, 0, 30}, {0.1, 6, 0, 0}).add(kWaypoint, {100, 80, 30});

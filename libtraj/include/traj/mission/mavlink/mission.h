@@ -106,6 +106,7 @@ struct MissionItem {
   std::size_t line = 0;    // where it was read; 0: it has none
   std::size_t number = 0;  // as the file counts, and jumps do
   std::size_t point = 0;   // of the path that make_mission made it of
+  bool goes_on = true;     // to the next item by itself (autocontinue), which ArduPilot always does
 };
 
 struct Mission {
