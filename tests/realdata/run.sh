@@ -80,7 +80,7 @@ if command -v skyway-footprints > /dev/null; then
   city=$SKYWAY_REALDATA/city
   if skyway-footprints "$city/osm/Helsinki.osm.pbf" -o none 2> why; then exit 1; fi
   grep -q "324 x electrified=contact_line" why
-  grep -q "2805 possible obstacles .* found none for 341 of 632" why
+  grep -q "2979 possible obstacles .* found none for 341 of 632" why
   [ "$(wc -c < why)" -lt 1600 ]
   skyway-footprints -q --allow-skipped --default-height 10 "$city/osm/Helsinki.osm.pbf" --stats stats -o helsinki
   grep -q '"skipped: part of an outline whose nodes are not in the file": 54' stats

@@ -34,7 +34,7 @@ def flight(name, **keys):
     """Bends between a few places above the houses, at rest at each."""
     places = [[random.uniform(-100, 100), random.uniform(-100, 100), random.uniform(36, 50)] for _ in range(3)]
     along = lambda a, b: [a, a, a, a + (b - a) / 4, b - (b - a) / 4, b, b, b]
-    return {"type": "trajectory", "id": name, "status": "solved", "vehicle": {"name": "v", "half": [0.5, 0.5, 0.3]}, "margin": 0.25,
+    return {"type": "trajectory", "id": name, "status": "solved", "vehicle": {"name": "v", "half": [0.5, 0.5, 0.32]}, "margin": 0.25,
             "segments": [{"duration": 40, **{axis: along(a[i], b[i]) for i, axis in enumerate("xyz")}}
                          for a, b in zip(places, places[1:])], **keys}
 
@@ -49,7 +49,7 @@ def from_the_ground(name):
 
 
 def path(name):
-    return {"type": "path", "id": name, "status": "found", "vehicle": {"name": "v", "half": [0.5, 0.5, 0.3]}, "margin": 0.25,
+    return {"type": "path", "id": name, "status": "found", "vehicle": {"name": "v", "half": [0.5, 0.5, 0.32]}, "margin": 0.25,
             "points": [[random.uniform(-100, 100), random.uniform(-100, 100), random.uniform(36, 50)] for _ in range(4)]}
 
 
@@ -69,7 +69,7 @@ def proved_mission(name, file, export, *options):
     write("p.jsonl", [path(name)])
     tool("skyway-export", "m.boxmap", "p.jsonl", "-o", file, "--speed", "4", "-q", *export)
     tool("skyway-import-trajectory", file, "--map", "m.boxmap", "--ground", "0", "-o", "in.jsonl")
-    tool("skyway-check", "m.boxmap", file, "--ground", "0", "--vehicle", "box:0.5,0.5,0.3", "--margin", "0.2", "--return", *options, "--return-height", "60",
+    tool("skyway-check", "m.boxmap", file, "--ground", "0", "--vehicle", "box:0.5,0.5,0.32", "--margin", "0.2", "--return", *options, "--return-height", "60",
          "--no-least-height", "--certificate", "c.jsonl", "-o", "r.jsonl", "-q")
     (certificate,) = (line for line in read("c.jsonl") if line["type"] == "returns")
     assert certificate["of"] == "mission", certificate["of"]

@@ -1,7 +1,9 @@
 #pragma once
 
-// The flights of a drone file as records of paths, trajectories and corridors, made for the
-// aircraft that the file names (made_for(): it throws where the provenance has a smaller vehicle).
+// The flights of a drone file as records of paths, trajectories and corridors.
+//
+// They are made for the aircraft that the file names: made_for() throws where the provenance has a
+// smaller vehicle.
 //
 // Example:
 //   traj::FlownLegs legs;
