@@ -8,9 +8,9 @@
 
 namespace geom::gis {
 
-// Throws InputError(name, …) for a mosaic (.vrt at `path`) that makes numbers of cells of its parts
-// that hold none, whose type of numbers cannot hold those of its parts, and whose cells are larger
-// than those of its parts: GDAL leaves out the others. Other files pass.
+// Throws InputError(name, …) for a mosaic (.vrt at `path`) that shows less than its parts hold: it
+// fills their holes with numbers, its type of numbers is narrower, or its cells are larger, so that
+// GDAL leaves some out. Other files pass.
 void require_whole_mosaic(const DatasetHandle& dataset, const std::string& path,
                           const std::string& name);
 

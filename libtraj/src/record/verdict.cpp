@@ -124,12 +124,6 @@ bool has_place(const CheckResult& result) {
   return !unknown && !no_height && result.reason != Reason::duration_bound;
 }
 
-HeldTo held_of(const geom::Provenance& provenance, const Limits& limits = {}) {
-  if (!provenance.vehicle) return {limits};
-  const double margin = provenance.margin.value_or(0);
-  return {limits, provenance.vehicle->half + Vec3::Constant(margin)};
-}
-
 std::string refused_in_words(const ReportRecord& report, const geom::BoxMap& map) {
   const CheckResult& result = report.result;
   const bool told = result.reason == Reason::takeoff && !report.detail.empty();
@@ -225,47 +219,6 @@ std::string limit_advice(const CheckResult& result) {
   return "";
 }
 
-// How much of a log no sample says anything of.
-std::string unmeasured_in_words(const SampledReport& report) {
-  const SampledFlight& result = report.result;
-  std::string out = fmt::format("what it did between samples, up to {:.3g} s, was not measured",
-                                result.longest_step);
-  if (result.on_ground > 0) {
-    out +=
-        fmt::format(", and {:.4g} s that it stood before and after are left out", result.on_ground);
-  }
-  return out;
-}
-
-// A log that touches nothing.
-std::string sampled_in_words(const SampledReport& report) {
-  const SampledFlight& result = report.result;
-  const std::string kept =
-      result.clearance
-          ? fmt::format("came no nearer than {:.4g} m to an obstacle (at {:.6g} s)",
-                        geom::rounded_down(result.clearance->value), result.clearance->time)
-          : std::string("touched nothing");
-  return fmt::format("at its {} samples and straight between them the vehicle {}; {}",
-                     report.samples, kept, unmeasured_in_words(report));
-}
-
-std::string touch_in_words(const SampledReport& report, const geom::BoxMap& map) {
-  const SampledFlight& result = report.result;
-  const geom::Vec3& p = result.place;
-  const std::string where =
-      fmt::format("{:.6g} s, near [{:.3f}, {:.3f}, {:.3f}]", result.time, p.x(), p.y(), p.z());
-  if (result.gap) {
-    return fmt::format("there is no sample for {:.4g} s after {}: what it did then is not known",
-                       result.worst, where);
-  }
-  CheckResult touch;
-  touch.reason = result.reason;
-  touch.worst = result.worst;
-  touch.box = result.box;
-  touch.place = result.place;
-  return fmt::format("{} at {}", fault_in_words(touch, map, held_of(report.provenance)), where);
-}
-
 // Why no tube is proved.
 std::string in_words(const TubeTrouble& trouble) {
   const auto clipped = [&](std::string_view what, std::string_view unit) {
@@ -325,6 +278,12 @@ std::string ways_home_in_words(const ReportRecord& report) {
 }
 
 }  // namespace
+
+HeldTo held_of(const geom::Provenance& provenance, const Limits& limits) {
+  if (!provenance.vehicle) return {limits};
+  const double margin = provenance.margin.value_or(0);
+  return {limits, provenance.vehicle->half + Vec3::Constant(margin)};
+}
 
 std::string fault_in_words(const CheckResult& result, const geom::BoxMap& map, const HeldTo& held) {
   for (const LimitKind& kind : kLimitKinds) {
@@ -452,11 +411,6 @@ std::string rests_on_in_words(const ReportRecord& report) {
   return fmt::format("{}", fmt::join(out, "; "));
 }
 
-std::string rests_on_in_words(const SampledReport& report) {
-  return report.map_said ? ""
-                         : "the log does not say its map, and was taken for this one (--override)";
-}
-
 std::string in_words(const ReportRecord& report, const geom::BoxMap& map) {
   const bool ways_home = report.checked == kCheckedContingency;
   if (accepted(report)) {
@@ -472,36 +426,6 @@ std::string in_words(const ReportRecord& report, const geom::BoxMap& map) {
       "the exact check refuses what the other accepts ({}); one of them is wrong: "
       "please report it",
       name(report.exact->reason));
-}
-
-std::string in_words(const SampledReport& report, const geom::BoxMap& map) {
-  const std::string_view reason = reason_of(report, map);
-  const std::string sampled = sampled_in_words(report);
-  const std::string rests = reason.empty() ? rests_on_in_words(report) : "";
-  if (reason.empty()) return rests.empty() ? sampled : sampled + "; " + rests;
-  if (verdict(report.result) != "sampled") return touch_in_words(report, map);
-  if (reason == "no_map") {
-    return "the log does not say of which map its places are: read it with skyway-import-flight "
-           "--map, or, if they are of this one, insist with --override; " +
-           sampled;
-  }
-  if (reason == "cut" && !report.cut) {
-    return "the log is shorter than its plan, so it does not hold the whole flight; until its "
-           "end, " +
-           sampled;
-  }
-  if (reason == "cut") {
-    return "the log does not hold the whole flight (it is cut); in what it holds, " + sampled;
-  }
-  if (reason == "clearance") {
-    return fmt::format("{}; expected at least {:.4g} m", sampled, *report.rule.clearance);
-  }
-  if (reason == "clearance_not_measured") {
-    return "the vehicle was never in the air, so no clearance was measured";
-  }
-  return sampled +
-         "; that proves nothing: accept it with --sampled, or say what is enough with "
-         "--require-clearance";
 }
 
 std::string in_words(const FlightReport& report, const geom::BoxMap* map) {

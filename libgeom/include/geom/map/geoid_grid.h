@@ -47,9 +47,9 @@ struct GeoidGrid {
   std::optional<GeoidRange> over(const GeoidArea& area) const;
 };
 
-// A grid of PROJ (.gtx; its error is taken as 1.2 m, which is that of EGM96 by quarters of a degree,
-// and for longer steps as more by their square) or of GeographicLib (.pgm, which says its error). Throws InputError(source, …) for
-// anything else.
+// A grid of GeographicLib (.pgm, which says its error) or of PROJ (.gtx, which does not). The error
+// of a .gtx is taken as that of EGM96 in steps of a quarter of a degree, 1.2 m, and grows by the
+// square of longer steps. Throws InputError(source, …) for anything else.
 GeoidGrid read_geoid_grid(std::istream& in, std::string_view source);
 
 // The bytes of a grid of PROJ that holds the part over an area, and a node or two around it. Throws

@@ -27,6 +27,8 @@ struct HeldTo {
   Limits limits = {};
   Vec3 half = Vec3::Zero();  // m, of the vehicle with its margin
 };
+// Those of a record; a half size of 0 where it has no vehicle.
+HeldTo held_of(const geom::Provenance& provenance, const Limits& limits = {});
 
 // What a check refuses, without time and place: "the vehicle reaches 0.413 m into obstacle 7". An
 // obstacle is named by its id in the source and its label. `map` is the one that was looked at.
