@@ -1,44 +1,60 @@
 #pragma once
 
-// One task at a time beside the thread that hands it out.
+// Tasks beside the thread that hands them out, one after the other.
 
+#include <cstddef>
+#include <deque>
 #include <functional>
 #include <future>
 #include <system_error>
 
 namespace geom {
 
-// Runs tasks one after the other on a thread of their own, or at once where no such thread is
-// wanted or had. What a task throws is thrown by the next call of run() or finish().
+// Runs each task after the one before, on a thread of its own, or at once where no such thread is
+// wanted or had. What a task throws is thrown by a later call of run() or finish(), and no task
+// after it runs.
 class Beside {
  public:
-  explicit Beside(bool alone) : alone_(alone) {}
+  // So many tasks may be under way; 0: each is run at once.
+  explicit Beside(std::size_t most) : most_(most) {}
   ~Beside() {
-    if (task_.valid()) task_.wait();
+    for (const std::shared_future<void>& task : tasks_) task.wait();
   }
   Beside(const Beside&) = delete;
   Beside& operator=(const Beside&) = delete;
 
-  // Waits for the task before.
+  // Waits for the oldest task where there are as many as may be.
   void run(const std::function<void()>& task) {
-    finish();
-    if (!alone_) {
+    while (!tasks_.empty() && tasks_.size() >= most_) finish_oldest();
+    if (most_ > 0) {
       try {
-        task_ = std::async(std::launch::async, task);
+        const auto before = tasks_.empty() ? std::shared_future<void>() : tasks_.back();
+        const auto next = [before, task] {
+          if (before.valid()) before.get();
+          task();
+        };
+        tasks_.push_back(std::async(std::launch::async, next).share());
         return;
       } catch (const std::system_error&) {  // no more threads
+        finish();
       }
     }
     task();
   }
 
   void finish() {
-    if (task_.valid()) task_.get();
+    while (!tasks_.empty()) finish_oldest();
   }
 
  private:
-  bool alone_;
-  std::future<void> task_;
+  void finish_oldest() {
+    const std::shared_future<void> oldest = tasks_.front();
+    tasks_.pop_front();
+    oldest.get();
+  }
+
+  std::size_t most_;
+  std::deque<std::shared_future<void>> tasks_;
 };
 
 }  // namespace geom

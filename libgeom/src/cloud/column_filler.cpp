@@ -10,9 +10,10 @@ namespace {
 
 constexpr std::size_t kBlock = std::size_t{1} << 14;  // points that a thread looks at at once
 
+constexpr std::size_t kAhead = 4;  // batches that may wait for other threads
 // Points: few for one thread, which finds them in its cache, and work for all of several threads.
 std::size_t batch_for(const Execution& run) {
-  return run.threads <= 1 ? std::size_t{1} << 15 : std::size_t{1} << 21;
+  return std::size_t{1} << (run.threads <= 1 ? 15 : 19);
 }
 
 }  // namespace
@@ -24,42 +25,43 @@ ColumnFiller::ColumnFiller(const CloudDraftOptions& options, const GroundFilter*
       run_{run.threads, {}},
       batch_(batch_for(run)),
       columns_(options.columns),
-      beside_(run.threads <= 1) {
+      batches_(run.threads <= 1 ? 1 : kAhead + 1),
+      beside_(run.threads <= 1 ? 0 : kAhead) {
   reserve();
 }
 
 void ColumnFiller::reserve() {
-  next_.places.reserve(batch_ + kBlock);
-  if (ground_) next_.classes.reserve(batch_ + kBlock);
+  next().places.reserve(batch_ + kBlock);
+  if (ground_) next().classes.reserve(batch_ + kBlock);
 }
 
 void ColumnFiller::add(std::span<const CloudPoint> points) {
-  std::size_t n = next_.places.size();
-  next_.places.resize(n + points.size());
-  for (const CloudPoint& p : points) next_.places[n++] = p.position;
+  Batch& batch = next();
+  std::size_t n = batch.places.size();
+  batch.places.resize(n + points.size());
+  for (const CloudPoint& p : points) batch.places[n++] = p.position;
   if (ground_) {
-    for (const CloudPoint& p : points) next_.classes.push_back(p.cls);
+    for (const CloudPoint& p : points) batch.classes.push_back(p.cls);
   }
-  if (next_.places.size() >= batch_) hand_over();
+  if (n >= batch_) hand_over();
 }
 
 void ColumnFiller::finish() {
   hand_over();
   beside_.finish();
+  batches_.clear();
 }
 
 void ColumnFiller::hand_over() {
-  beside_.finish();
-  std::swap(current_, next_);
-  beside_.run([this] {
-    if (ground_) drop_ground(current_);
-    kept_ += current_.places.size();
-    columns_.add(current_.places, options_.resolution, run_);
+  beside_.run([this, &batch = next()] {
+    if (ground_) drop_ground(batch);
+    kept_ += batch.places.size();
+    columns_.add(batch.places, options_.resolution, run_);
+    batch.places.clear();
+    batch.classes.clear();
   });
-  if (run_.threads <= 1) std::swap(current_, next_);  // done: one batch is enough
+  ++handed_over_;
   reserve();
-  next_.places.clear();
-  next_.classes.clear();
 }
 
 void ColumnFiller::drop_ground(Batch& batch) {

@@ -33,6 +33,7 @@ class ColumnFiller {
     std::vector<std::uint8_t> classes;
   };
 
+  Batch& next() { return batches_[handed_over_ % batches_.size()]; }  // comes in
   void reserve();
   void hand_over();
   void drop_ground(Batch& batch);
@@ -44,8 +45,8 @@ class ColumnFiller {
   ColumnGrid columns_;
   std::size_t kept_ = 0;
   std::size_t dropped_ = 0;
-  Batch next_;     // comes in
-  Batch current_;  // goes into the columns
+  std::vector<Batch> batches_;  // in turns
+  std::size_t handed_over_ = 0;
   Beside beside_;  // last: it ends before what it works on
 };
 

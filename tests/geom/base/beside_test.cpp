@@ -9,9 +9,9 @@ namespace geom {
 namespace {
 
 TEST(Beside, RunsTasksOneAfterTheOther) {
-  for (const bool alone : {true, false}) {
+  for (const std::size_t most : {0, 1, 4}) {
     std::vector<int> done;
-    Beside beside(alone);
+    Beside beside(most);
     for (int i = 0; i < 50; ++i) beside.run([&done, i] { done.push_back(i); });
     beside.finish();
     ASSERT_EQ(done.size(), 50u);
@@ -20,7 +20,7 @@ TEST(Beside, RunsTasksOneAfterTheOther) {
 }
 
 TEST(Beside, ThrowsWhatATaskThrowsByTheNextCall) {
-  Beside beside(false);
+  Beside beside(1);
   beside.run([] { throw std::runtime_error("task"); });
   EXPECT_THROW(beside.finish(), std::runtime_error);
   bool ran = false;
@@ -30,10 +30,19 @@ TEST(Beside, ThrowsWhatATaskThrowsByTheNextCall) {
   EXPECT_NO_THROW(beside.finish());
 }
 
+TEST(Beside, RunsNoTaskAfterOneThatThrew) {
+  bool ran = false;
+  Beside beside(4);
+  beside.run([] { throw std::runtime_error("task"); });
+  for (int i = 0; i < 3; ++i) beside.run([&] { ran = true; });
+  EXPECT_THROW(beside.finish(), std::runtime_error);
+  EXPECT_FALSE(ran);
+}
+
 TEST(Beside, EndsItsTaskBeforeItself) {
   bool ran = false;
   {
-    Beside beside(false);
+    Beside beside(1);
     beside.run([&] { ran = true; });
   }
   EXPECT_TRUE(ran);
