@@ -75,13 +75,17 @@ last=$("$source/tools/cluster/submit.sh" .)
 # Waits until a roadmap shard is at work on the node, and stops it, so that it is not done before it is killed; gives the
 # tool's process.
 tool_on() {
-  local node=$1 pid
-  for _ in $(seq 600); do
+  local node=$1 pid end=$((SECONDS + 60))
+  while ((SECONDS < end)); do
     for pid in $(job_pids "$folder" "$node"); do
       [ "$(cat "/proc/$pid/comm" 2>/dev/null)" = skyway-roadmap ] || continue
       kill -STOP "$pid" 2>/dev/null || continue
-      sleep 0.05
-      grep -qs "^State:.T" "/proc/$pid/status" && echo "$pid" && return
+      # On a busy machine it takes a while to stop. One that was left behind like this would never end.
+      for _ in $(seq 200); do
+        grep -qs "^State:.T" "/proc/$pid/status" && echo "$pid" && return
+        kill -0 "$pid" 2>/dev/null || break
+        sleep 0.05
+      done
     done
     sleep 0.1
   done

@@ -85,10 +85,9 @@ node_pids() {
 # Processes of jobs on a node: they have its name, and the folder, in their environment.
 job_pids() {
   local folder=$1 node=$2 environment
-  for environment in /proc/[0-9]*/environ; do
-    tr '\0' '\n' 2>/dev/null <"$environment" | grep -Fxe "SLURMD_NODENAME=$node" -e "SLURM_CONF=$folder/slurm.conf" |
-      sort -u | wc -l | grep -qx 2 && basename "$(dirname "$environment")"
-  done 2>/dev/null || true
+  for environment in $(grep -lzsxF "SLURMD_NODENAME=$node" /proc/[0-9]*/environ); do
+    grep -qzsxF "SLURM_CONF=$folder/slurm.conf" "$environment" && basename "$(dirname "$environment")"
+  done || true
 }
 
 slurm_down() {
