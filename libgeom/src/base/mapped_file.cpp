@@ -61,14 +61,15 @@ FileState state_of(const struct stat& info) {
           nanoseconds(info.st_mtim), nanoseconds(info.st_ctim)};
 }
 
-bool is_as_it_was(const Mapping& mapping) {
+bool is_as_it_was(int file, const FileState& opened) {
   struct stat info {};
-  if (fstat(mapping.file, &info) != 0) return false;
+  if (fstat(file, &info) != 0) return false;
   FileState now = state_of(info);
   // What takes the place of a file's name changes its state, but not what it holds.
-  if (info.st_nlink == 0) now.changed = mapping.opened.changed;
-  return now == mapping.opened;
+  if (info.st_nlink == 0) now.changed = opened.changed;
+  return now == opened;
 }
+bool is_as_it_was(const Mapping& mapping) { return is_as_it_was(mapping.file, mapping.opened); }
 
 bool holds(const Mapping& mapping, const std::byte* address) {
   const std::byte* const begin = mapping.at;
@@ -150,6 +151,10 @@ const char* mapped_file_at(const void* address) noexcept {
   return nullptr;
 }
 
+void UnchangedFile::require() const {
+  if (opened_ && now() != opened_) refuse_changed(path_);
+}
+
 void require_unchanged_at(const void* address) {
   const std::lock_guard lock(mappings().mutex);
   for (const Mapping* node = mappings().first; node; node = node->next) {
@@ -183,6 +188,16 @@ FileState state_of(const std::string& path) {
     throw FileError(FileUse::reading, path, errno);
   }
   return state_of(info);
+}
+
+std::optional<FileState> state_of(int descriptor) {
+  struct stat info {};
+  if (fstat(descriptor, &info) != 0 || !S_ISREG(info.st_mode)) return std::nullopt;
+  return state_of(info);
+}
+
+void require_unchanged(int descriptor, const FileState& opened, const std::string& path) {
+  if (!is_as_it_was(descriptor, opened)) refuse_changed(path);
 }
 
 void read_ahead(std::span<const std::byte> bytes) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/unchanged_file.h"
 #include "cloud_source.h"
 #include "column_filler.h"
 #include "geom/base/error.h"
@@ -222,12 +223,14 @@ bool CloudDraftOptions::each_point_alone() const {
 MapDraft draft_cloud(const CloudFile& file, const CloudDraftOptions& asked, const Notes& notes,
                      const Execution& run) {
   const CloudDraftOptions options = settled(asked, file);
+  const UnchangedFile same(file.name);  // parts of it, and all of it again, are read by its name
   CloudSource source(file, options, run);
   Steps steps;
   const Execution quiet{run.threads, {}};
   BoxTable table = options.in_memory()
                        ? filtered(source, options, file.name, quiet, steps)
                        : streamed(source, options, quiet, steps).boxes(file.name, quiet);
+  same.require();
   const std::string line = line_of(steps.facts);
   if (table.boxes.empty()) {
     throw InputError(file.name, {.expected = "at least one point to make boxes of",

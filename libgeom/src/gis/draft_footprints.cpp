@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/unchanged_file.h"
 #include "geom/base/error.h"
 #include "geom/base/usage_error.h"
 #include "geom/gis/place_footprints.h"
@@ -188,6 +189,8 @@ MapDraft draft_footprints(const std::string& path, HashedStream& file,
                           const FootprintDraftOptions& asked, const Notes& notes,
                           const Execution& run) {
   if (file.head().empty()) throw InputError(path, {.says = "the file is empty"});
+  const UnchangedFile same(path);  // GDAL opens both by their names
+  const UnchangedFile same_terrain(asked.terrain);
   FootprintDraftOptions options = asked;
   if (!options.format) options.format = &footprint_format_of(file.head(), path);
   options.map = with_room(asked.map, *options.format);
@@ -198,6 +201,8 @@ MapDraft draft_footprints(const std::string& path, HashedStream& file,
   tell(source, path, options.read.height.default_height, notes);
   draft.facts = facts_of(source, *options.format);
   HistoryStep step = step_of(file.hash(), asked, options, source);
+  same.require();
+  same_terrain.require();
   refuse_at_once(source, options, path);
   settle_skipped(source.skipped, options.allow_skipped, path, notes, step);
   tell_room(asked.map, options.map, path, notes);

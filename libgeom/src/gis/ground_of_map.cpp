@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/unchanged_file.h"
 #include "geom/base/hashed_stream.h"
 #include "geom/map/geographic_frame.h"
 #include "required_reference.h"
@@ -86,6 +87,7 @@ std::vector<Vec2> corners_of(const GroundGridSpec& grid, std::size_t row) {
 
 GroundModel ground_of_map(const std::string& path, const BoxMapSpec& spec,
                           const GroundOptions& options) {
+  const UnchangedFile same(path);
   const Terrain terrain(path, path, options.read);
   const ToRaster to_raster(spec.frame, terrain.crs(), path);
   const GroundGridSpec grid = grid_of(path, spec, options);
@@ -101,6 +103,7 @@ GroundModel ground_of_map(const std::string& path, const BoxMapSpec& spec,
       high[row * grid.columns + i] = range->high;
     }
   }
+  same.require();
   return {grid, std::move(low), std::move(high)};
 }
 

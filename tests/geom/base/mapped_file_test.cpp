@@ -1,5 +1,6 @@
 #include "geom/base/mapped_file.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 #include <unistd.h>
@@ -11,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "base/unchanged_file.h"
 #include "geom/base/error.h"
 #include "support/temporary_folder.h"
 
@@ -131,6 +133,44 @@ TEST_F(MappedFileTest, RefusesWhatCannotBeMapped) {
   std::ofstream(folder_ / "empty");
   EXPECT_THROW(MappedFile(folder_ / "empty"), InputError);
   EXPECT_THROW(MappedFile(folder_.path()), InputError);
+}
+
+TEST(UnchangedFile, MustStayTheFileThatHasItsName) {
+  const support::TemporaryFolder folder;
+  const std::string path = folder / "file";
+  const auto write = [&](const std::string& name) { std::ofstream(name, std::ios::app) << "x"; };
+  write(path);
+  {
+    const UnchangedFile file(path);
+    EXPECT_NO_THROW(file.require());
+    write(path);
+    EXPECT_THROW(file.require(), std::runtime_error);
+  }
+  {
+    const UnchangedFile file(path);
+    write(path + "2");
+    std::filesystem::rename(path + "2", path);
+    EXPECT_THROW(file.require(), std::runtime_error);
+  }
+  EXPECT_NO_THROW(UnchangedFile(folder / "none").require());
+  EXPECT_NO_THROW(UnchangedFile("/dev/null").require());
+}
+
+// An open one may lose its name.
+TEST(RequireUnchanged, LooksAtTheOpenFile) {
+  const support::TemporaryFolder folder;
+  const std::string path = folder / "file";
+  std::ofstream(path) << "x";
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const auto opened = state_of(file);
+  ASSERT_TRUE(opened);
+  EXPECT_NO_THROW(require_unchanged(file, *opened, path));
+  std::filesystem::remove(path);
+  EXPECT_NO_THROW(require_unchanged(file, *opened, path));
+  ::close(file);
+  const int device = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+  EXPECT_FALSE(state_of(device));
+  ::close(device);
 }
 
 }  // namespace

@@ -2,10 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <sstream>
+#include <stdexcept>
 
 #include "geom/base/error.h"
+#include "geom/base/open_file.h"
 #include "geom/base/usage_error.h"
+#include "support/temporary_folder.h"
 
 namespace geom {
 namespace {
@@ -36,6 +40,30 @@ TEST(DraftCloud, MakesColumnsOfAllPoints) {
   EXPECT_EQ(fact(draft, "points"), 7u);
   EXPECT_EQ(fact(draft, "kept"), 7u);
   EXPECT_EQ(draft.table.boxes.size(), 3u);
+}
+
+// The second reading would find another cloud than the first.
+TEST(DraftCloud, RefusesAFileThatChangesBetweenItsReadings) {
+  const support::TemporaryFolder folder;
+  const std::string path = folder / "cloud.xyz";
+  std::ofstream(path) << kPoints;
+  CloudDraftOptions options;
+  options.drop_ground = true;
+  options.ground_by = "shape";
+  for (const bool changes : {false, true}) {
+    const auto in = open_file(path);
+    HashedStream first(*in);
+    const OpenFile again = [&](const std::string& name) {
+      if (changes) std::ofstream(name, std::ios::app) << "1 1 1\n";
+      return open_file(name);
+    };
+    const auto draft = [&] { return draft_cloud({path, first, again, nullptr}, options); };
+    if (changes) {
+      EXPECT_THROW(draft(), std::runtime_error);
+    } else {
+      EXPECT_EQ(fact(draft(), "points"), 7u);
+    }
+  }
 }
 
 // More points than one batch has: a slope, and towers on it.

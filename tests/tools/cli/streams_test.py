@@ -392,6 +392,26 @@ def in_place(folder):
     expect("replan over the map", run.code == 2, run)
 
 
+def changed_inputs(folder):
+    """What is written to while it is read is refused; what another file takes the name of is not."""
+    line = (folder / "p.jsonl").read_text().splitlines()[0] + "\n"
+    for change, code in (("none", 0), ("written to", 4), ("replaced", 0)):
+        many = folder / "many.jsonl"
+        many.write_text(20000 * line)
+        tool = subprocess.Popen([bin_dir / "skyway-check", "m.boxmap", many.name], cwd=folder, stdout=subprocess.PIPE,
+                                stderr=subprocess.PIPE)
+        tool.stdout.readline()  # it works, and waits until somebody reads on: the pipe takes a part of its answers
+        if change == "written to":
+            with many.open("a") as more:
+                more.write(line)
+        elif change == "replaced":
+            (folder / "other.jsonl").write_text(line)
+            (folder / "other.jsonl").replace(many)
+        err = tool.communicate()[1].decode()
+        expect(f"an input that is {change}", tool.returncode == code, err)
+        expect(f"an input that is {change}", ("was changed while it was read" in err) == (code == 4), err)
+
+
 def left_behind(folder):
     """A temporary file of a process that was killed is removed; one of a process that runs is not."""
     host = socket.gethostname()
@@ -494,7 +514,7 @@ def main():
         (root / "base").mkdir()
         prepare(root / "base")
         jobs = [(kind, tool) for tool in TOOLS for kind in (streams, limits, outputs, collisions, numbers)]
-        jobs += [(kind, None) for kind in (broken_inputs, in_place, left_behind, hostile_text, idle_options, front)]
+        jobs += [(kind, None) for kind in (broken_inputs, in_place, changed_inputs, left_behind, hostile_text, idle_options, front)]
 
         def work(job):
             kind, tool = job

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <iterator>
+#include <optional>
 #include <streambuf>
 #include <thread>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "files.h"
 #include "geom/base/error.h"
 #include "geom/base/format.h"
+#include "geom/base/mapped_file.h"
 #include "geom/map/box_map_file.h"
 #include "geom/text/record_lines.h"
 #include "io_failure.h"
@@ -35,7 +37,10 @@ struct InputFile::Source {
   class Buffer : public std::streambuf {
    public:
     Buffer(int descriptor, std::string name)
-        : descriptor_(descriptor), name_(std::move(name)), buffer_(1 << 16) {}
+        : descriptor_(descriptor),
+          name_(std::move(name)),
+          opened_(geom::state_of(descriptor)),
+          buffer_(1 << 16) {}
 
     std::string_view head_until(const std::function<bool(std::string_view)>& enough) {
       if (gptr() == nullptr) underflow();
@@ -60,7 +65,8 @@ struct InputFile::Source {
       return traits_type::to_int_type(*gptr());
     }
 
-    // Reads to a place of the buffer, once; 0 at the end.
+    // Reads to a place of the buffer, once; 0 at the end, where what somebody wrote to meanwhile is
+    // refused.
     std::size_t fill(char* place) {
       const auto room = static_cast<std::size_t>(buffer_.data() + buffer_.size() - place);
       ssize_t n = -1;
@@ -68,6 +74,7 @@ struct InputFile::Source {
         n = ::read(descriptor_, place, room);
       } while (n < 0 && errno == EINTR);
       if (n < 0) cannot_read(name_, errno);
+      if (n == 0 && opened_) geom::require_unchanged(descriptor_, *opened_, name_);
       return static_cast<std::size_t>(n);
     }
 
@@ -80,6 +87,7 @@ struct InputFile::Source {
 
     int descriptor_;
     std::string name_;
+    std::optional<geom::FileState> opened_;
     std::vector<char> buffer_;
     bool first_ = true;
   };

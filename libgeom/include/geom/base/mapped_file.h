@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -69,6 +70,13 @@ void trim_mapped_files(std::size_t most = kMappedKept);
 
 // The state of the file of that name. Throws std::system_error if there is none.
 FileState state_of(const std::string& path);
+
+// Of a file that is open; nothing where it is no regular one.
+std::optional<FileState> state_of(int descriptor);
+
+// Throws std::runtime_error, with the path, where a file that is open has changed since then. That
+// another file takes the place of its name changes nothing of what is read.
+void require_unchanged(int descriptor, const FileState& opened, const std::string& path);
 
 // Tells the system that these bytes of a MappedFile are read next. Changes no answer.
 void read_ahead(std::span<const std::byte> bytes);
