@@ -42,6 +42,12 @@ class ByteSource {
   // Fills `to` as far as there are bytes; how many there were.
   std::size_t copy(std::span<unsigned char> to);
 
+  // What can be looked at where it lies: none only at the end. Stays until more is read.
+  std::span<const unsigned char> ready() {
+    if (at_ == end_) fill();
+    return {at_, end_};
+  }
+
   // How many of `count` bytes there were to skip.
   std::uint64_t skip(std::uint64_t count);
 

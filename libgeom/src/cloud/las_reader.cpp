@@ -67,18 +67,30 @@ void require_told_before(ByteSource& rest, const LasHeader& h, const LasRecords&
   later.finish();
 }
 
+// Of one record, without compression.
+void add_point(const unsigned char* record, const LasHeader& h, PointChunks& chunks) {
+  const Vec3 raw(number_at<std::int32_t>(record), number_at<std::int32_t>(record + 4),
+                 number_at<std::int32_t>(record + 8));
+  const std::uint8_t cls = h.modern() ? record[16] : static_cast<std::uint8_t>(record[15] & 0x1f);
+  chunks.add(raw.cwiseProduct(h.scale) + h.offset, cls);
+}
+
 // Each gives what it read behind the points.
 Bytes read_points(ByteSource& bytes, const LasHeader& h, PointChunks& chunks) {
-  Bytes record(h.record);
-  for (std::uint64_t i = 0; i < h.points; ++i) {
-    if (bytes.copy(record) < h.record) {
+  Bytes split(h.record);  // one whose parts do not lie together
+  for (std::uint64_t i = 0; i < h.points;) {
+    const std::span<const unsigned char> ready = bytes.ready();
+    const std::uint64_t whole = std::min<std::uint64_t>(h.points - i, ready.size() / h.record);
+    for (std::uint64_t k = 0; k < whole; ++k) add_point(&ready[k * h.record], h, chunks);
+    bytes.skip(whole * h.record);
+    i += whole;
+    if (whole > 0) continue;
+    if (bytes.copy(split) < h.record) {
       bytes.refuse({.says = fmt::format("expected {}, and the file ends after {}",
                                         counted(h.points, "point"), i)});
     }
-    const Vec3 raw(number_at<std::int32_t>(&record[0]), number_at<std::int32_t>(&record[4]),
-                   number_at<std::int32_t>(&record[8]));
-    const std::uint8_t cls = h.modern() ? record[16] : static_cast<std::uint8_t>(record[15] & 0x1f);
-    chunks.add(raw.cwiseProduct(h.scale) + h.offset, cls);
+    add_point(split.data(), h, chunks);
+    ++i;
   }
   return require_no_more(bytes, h, h.record);
 }

@@ -3,6 +3,7 @@
 // What the readers of point clouds share.
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <istream>
 #include <string>
@@ -16,19 +17,17 @@ namespace geom {
 // Collects points and hands them on by the thousand.
 class PointChunks {
  public:
-  PointChunks(std::string_view source, const PointSink& sink) : source_(source), sink_(sink) {}
+  PointChunks(std::string_view source, const PointSink& sink) : source_(source), sink_(sink) {
+    chunk_.reserve(kChunk);
+  }
 
   void add(const Vec3& p, std::uint8_t cls = 0) {
     ++counts_.read;
-    if (!p.allFinite()) {
-      ++counts_.not_finite;
-      return;
-    }
-    if (p.cwiseAbs().maxCoeff() > kLargestCoordinate) {
-      throw InputError(source_, {.key = "point " + std::to_string(counts_.read),
-                                 .expected = "within 1e8 m of the origin",
-                                 .found = std::to_string(p.cwiseAbs().maxCoeff())});
-    }
+    // Also false of what is no number.
+    const bool near = (std::abs(p.x()) <= kLargestCoordinate) &
+                      (std::abs(p.y()) <= kLargestCoordinate) &
+                      (std::abs(p.z()) <= kLargestCoordinate);
+    if (!near) return leave_out(p);
     chunk_.push_back({p, cls});
     if (chunk_.size() == kChunk) flush();
   }
@@ -40,6 +39,15 @@ class PointChunks {
 
  private:
   static constexpr std::size_t kChunk = 1 << 14;
+
+  void leave_out(const Vec3& p) {
+    if (p.allFinite()) {
+      throw InputError(source_, {.key = "point " + std::to_string(counts_.read),
+                                 .expected = "within 1e8 m of the origin",
+                                 .found = std::to_string(p.cwiseAbs().maxCoeff())});
+    }
+    ++counts_.not_finite;
+  }
 
   void flush() {
     if (!chunk_.empty()) sink_(chunk_);
