@@ -11,6 +11,7 @@
 
 #include "geom/map/ground_model.h"
 #include "in_the_way.h"
+#include "traj/mission/dji/dji_flight.h"
 #include "traj/mission/dji/dji_wpml.h"
 
 namespace {

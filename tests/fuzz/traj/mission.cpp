@@ -1,4 +1,5 @@
 #include "fuzz/reader.h"
+#include "traj/mission/dji/dji_flight.h"
 #include "traj/mission/dji/dji_wpml.h"
 #include "traj/mission/firmware/autopilot_settings.h"
 #include "traj/mission/flown/flown.h"

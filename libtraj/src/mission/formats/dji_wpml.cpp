@@ -11,6 +11,7 @@
 #include "geom/text/beginning.h"
 #include "mission/formats/mavlink_format.h"
 #include "mission/formats/text_head.h"
+#include "traj/mission/dji/dji_flight.h"
 #include "traj/mission/formats/mission_formats.h"
 
 namespace traj {

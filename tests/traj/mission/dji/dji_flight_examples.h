@@ -2,7 +2,7 @@
 
 // Missions of DJI near one place, and how they are flown.
 
-#include "traj/mission/dji/dji_mission.h"
+#include "traj/mission/dji/dji_flight.h"
 
 namespace traj::testing {
 
