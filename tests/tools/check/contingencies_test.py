@@ -7,6 +7,7 @@ import os
 import random
 import tempfile
 
+from other_flights import tampered_of_record
 from tool_runs import read, tool, write
 from verify_certificate import BoxMap, Refused
 from verify_contingencies import verify
@@ -248,23 +249,6 @@ TAMPERINGS = (drop_way, drop_contingency, drop_join, shorten_join, shorten_way, 
               slanting_landing, move_braking, lift_braking, thin_braking, wide_braking, high_braking, over_a_tower, no_beyond, short_beyond,
               short_overshoot, wide_overshoot, less_room, less_margin, other_map, other_bounds, elsewhere, other_kind, weak_battery,
               late_departure)
-
-
-def tampered_of_record(record):
-    """Flights that the certificate is not of."""
-    out = copy.deepcopy(record)
-    if out["type"] == "trajectory":
-        segment = random.choice(out["segments"])
-        kind = random.randrange(3)
-        if kind == 0:
-            segment["z"] = [z + 30 for z in segment["z"]]
-        elif kind == 1:
-            segment["duration"] *= 1.5
-        else:
-            out["segments"].append(copy.deepcopy(segment))
-    else:
-        random.choice(out["points"])[2] += 30
-    return out
 
 
 os.chdir(tempfile.mkdtemp())

@@ -2,24 +2,15 @@
 tampered with; whatever it still accepts of changed flights and obstacles is what the check accepts of them, too."""
 
 import copy
-import json
 import os
 import random
-import subprocess
-import sys
 import tempfile
 
+from tool_runs import read, tool, write
 from verify_moving import Refused, verify
 
-bin_dir = sys.argv[1]
 random.seed(7)
 EPOCH = "2026-05-04T06:30:00Z"
-
-
-def tool(name, *arguments, codes=(0,)):
-    done = subprocess.run([os.path.join(bin_dir, name), *arguments], capture_output=True, text=True)
-    assert done.returncode in codes, (done.returncode, done.stderr)
-    return done
 
 
 def flight(name, start, *points, seconds=8):
@@ -54,17 +45,6 @@ def obstacles(count):
            for i, start in enumerate(random.uniform(-20, 90) for _ in range(count))]
     # Along y through the way of "crossing" while that is elsewhere.
     return [obstacle("train", 0, 40, [30, -40, 15], [4, 4, 4], [0, 2.2, 0], [0.01, 0.01, 0.01])] + out
-
-
-def write(name, records):
-    with open(name, "w", encoding="utf-8") as file:
-        file.write("".join(json.dumps(r) + "\n" for r in records))
-    return name
-
-
-def read(name):
-    with open(name, encoding="utf-8") as file:
-        return [json.loads(line) for line in file]
 
 
 def those_clear(records, moving, *options):

@@ -7,6 +7,7 @@ import os
 import random
 import tempfile
 
+from other_flights import tampered_of_record
 from tool_runs import read, tool, write
 from verify_certificate import BoxMap, Refused
 from verify_returns import verify
@@ -243,23 +244,6 @@ OF_RECORDS = (drop_stage, shorten_stage, stand_high)  # stages of missions overl
 TAMPERINGS = (drop_leg, other_way, shorter_way, drop_stage, shorten_stage, drop_climb, drop_descent, drop_braking, move_braking, lift_braking, lower_way, raise_way,
               widen_way, stand_high, less_room, no_autopilot, twice, other_map, other_bounds, home_in_the_air, elsewhere,
               other_action, over_a_tower)
-
-
-def tampered_of_record(record):
-    """Flights that the certificate is not of."""
-    out = copy.deepcopy(record)
-    if out["type"] == "trajectory":
-        segment = random.choice(out["segments"])
-        kind = random.randrange(3)
-        if kind == 0:
-            segment["z"] = [z + 30 for z in segment["z"]]
-        elif kind == 1:
-            segment["duration"] *= 1.5
-        else:
-            out["segments"].append(copy.deepcopy(segment))
-    else:
-        random.choice(out["points"])[2] += 30
-    return out
 
 
 os.chdir(tempfile.mkdtemp())

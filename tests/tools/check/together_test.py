@@ -4,24 +4,15 @@ flights of many kinds give the same bytes for any number of threads."""
 import contextlib
 import copy
 import io
-import json
 import os
 import random
-import subprocess
-import sys
 import tempfile
 from fractions import Fraction as F
 
+from tool_runs import read, tool, write
 from verify_together import Claim, Flight, Refused, Traffic, beyond, clearly_beyond, verify, verify_files
 
-bin_dir = sys.argv[1]
 random.seed(5)
-
-
-def tool(name, *arguments, codes=(0,)):
-    done = subprocess.run([os.path.join(bin_dir, name), *arguments], capture_output=True, text=True)
-    assert done.returncode in codes, (done.returncode, done.stderr)
-    return done
 
 
 def flight(name, start, *points, seconds=8, vehicle=(0.5, 0.5, 0.25)):
@@ -43,17 +34,6 @@ def many(count):
            for i in range(count)]
     beside = [flight(name, 20, [-80 + x, -80 - x, 97], [80 + x, 80 - x, 97]) for name, x in (("left", 0), ("right", 8.5))]
     return beside + out
-
-
-def write(name, records):
-    with open(name, "w", encoding="utf-8") as file:
-        file.write("".join(json.dumps(r) + "\n" for r in records))
-    return name
-
-
-def read(name):
-    with open(name, encoding="utf-8") as file:
-        return [json.loads(line) for line in file]
 
 
 def those_apart(records, *options):

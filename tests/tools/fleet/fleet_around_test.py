@@ -2,38 +2,19 @@
 keeps apart from all of them at many instants, in exact fractions, and is proved by skyway-check and by its independent
 verifier; others that meet each other are named; no share of the work, and no number of threads, changes a byte."""
 
-import json
 import os
 import random
-import subprocess
 import sys
 import tempfile
 from fractions import Fraction as F
 from math import comb
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "check"))
+from tool_runs import read, tool, write
 from verify_together import verify
 
-bin_dir = sys.argv[1]
 ACROSS, UP, HALF = 6, 3, 0.5
 INSTANTS = [F(k, 4) for k in range(-80, 800)]
-
-
-def tool(name, *arguments, codes=(0,)):
-    done = subprocess.run([os.path.join(bin_dir, name), *arguments], capture_output=True, text=True)
-    assert done.returncode in codes, (name, arguments, done.returncode, done.stderr)
-    return done
-
-
-def write(name, records):
-    with open(name, "w", encoding="utf-8") as file:
-        file.write("".join(json.dumps(r) + "\n" for r in records))
-    return name
-
-
-def read(name):
-    with open(name, encoding="utf-8") as file:
-        return [json.loads(line) for line in file]
 
 
 def somewhere(chance):
