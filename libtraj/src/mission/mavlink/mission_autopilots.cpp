@@ -119,4 +119,18 @@ bool flown_by(Firmware firmware, const MissionRules& rules) {
                      [&](const Autopilot& one) { return one.firmware == firmware; });
 }
 
+double most_return_climb(const MissionRules& rules) {
+  double most = 0;
+  for (const Autopilot& one : rules.autopilots) most = std::max(most, one.return_climb);
+  return most;
+}
+
+double least_return_slope(const MissionRules& rules) {
+  double least = 0;
+  for (const Autopilot& one : rules.autopilots) {
+    if (one.return_slope > 0 && (least == 0 || one.return_slope < least)) least = one.return_slope;
+  }
+  return least;
+}
+
 }  // namespace traj

@@ -26,6 +26,12 @@ std::vector<Autopilot> autopilots_that_load(const Mission& mission, const Missio
 // Whether all autopilots of the rules are of that firmware.
 bool flown_by(Firmware firmware, const MissionRules& rules);
 
+// m that a return climbs at most, whatever its height.
+double most_return_climb(const MissionRules& rules);
+
+// The least slope of the cones within which a return stays low; 0: there is none.
+double least_return_slope(const MissionRules& rules);
+
 // Throws geom::InputError(source, …) where one of the rules' autopilots goes round obstacles as it
 // likes.
 void require_legs_are_kept(const MissionRules& rules, std::string_view source);

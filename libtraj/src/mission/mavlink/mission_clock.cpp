@@ -1,7 +1,6 @@
 #include "mission_clock.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace traj {

@@ -10,9 +10,11 @@
 #include "geom/base/error.h"
 #include "mission/flown/flown_regions.h"
 #include "mission_autopilots.h"
+#include "mission_circle.h"
 #include "mission_clock.h"
 #include "mission_jumps.h"
 #include "mission_places.h"
+#include "mission_speeds.h"
 #include "mission_track.h"
 #include "terrain_lift.h"
 
@@ -83,8 +85,8 @@ class Flight {
   // --- places -------------------------------------------------------------------------------
 
   // A take-off or landing at null is where the vehicle is; so is a take-off at 0, 0, which is
-  // ArduPilot's (not_for_px4). PX4 moves
-  // to a landing's place, be it 0, 0 (MissionBase::handleLanding).
+  // ArduPilot's (not_for_px4). PX4 moves to a landing's place, be it 0, 0
+  // (MissionBase::handleLanding).
   Vec3 place(const MissionItem& item) const {
     const bool null = std::isnan(item.latitude) || std::isnan(item.longitude);
     const bool lands_here = null || flown_by(Firmware::ardupilot, rules_);
@@ -194,7 +196,7 @@ class Flight {
       case kReturn:
         return return_home();
       case kSpeed:
-        return take_speed(item);
+        return speeds_.take(item, track_, clock_);
       case kDelay:
         return wait(item);
       case kPayloadPlace:
@@ -263,7 +265,7 @@ class Flight {
       return forever ? go(centre, hold, Manoeuvre::hover)
                      : go_and_wait(centre, hold, Manoeuvre::hover, item);
     }
-    Hull disc = Circle{centre, require_radius(radius)}.disc();
+    Hull disc = Circle{centre, require_radius(item, radius, source_)}.disc();
     if (!path().empty()) {
       Hull in = track_.from_where();
       in.insert(in.end(), disc.begin(), disc.end());
@@ -274,45 +276,18 @@ class Flight {
     track_.leave_from(std::move(disc));
   }
 
-  double require_radius(double radius) const {
-    if (radius <= 1e4) return radius;
-    refuse({.key = "a radius", .expected = "within 1e4 m", .found = fmt::to_string(radius)});
-  }
-
   void circle(const MissionItem& item) {
-    const double turns = item.param[0];
-    if (!(turns >= 1 && turns <= 1e6) || turns != std::floor(turns)) {
-      refuse({.expected = "whole turns on a circle, at least one", .found = fmt::to_string(turns)});
-    }
-    const Circle way{place(item), require_radius(std::abs(item.param[2]))};
-    if (!(way.radius > 0)) {
-      refuse({.expected = "the radius of the circle",
-              .found = "0",
-              .advice = "it would be the vehicle's own"});
-    }
-    const double unit = way.radius > 255 ? 10 : 1;
-    if (way.radius != unit * std::floor(way.radius / unit)) {
-      refuse({.expected = "a radius of whole metres, or of tens above 255, as ArduPilot keeps it",
-              .found = fmt::to_string(way.radius)});
-    }
+    require_whole_turns(item, source_);
+    const Circle way = circle_of(item, place(item), source_);
     if (path().empty()) refuse({.expected = "a waypoint or a take-off before the circle"});
     require_known_start("a circle");
     const Hull from = track_.reached();
-    if (from.size() > 2) {
-      refuse({.expected = "a waypoint with a hold before a circle",
-              .found = "several that count as reached at once"});
-    }
-    for (const Vec3& p : from) {
-      if ((p - way.centre).head<2>().norm() >= 0.5 * way.radius) continue;
-      refuse({.expected = "to come to the circle from outside of half its radius",
-              .found = "a point nearer to its centre",
-              .advice = "where the circle begins is uncertain"});
-    }
+    require_known_entry(way, from, item, source_);
     CircleFlight flight = fly_circle(way, from);
     sweep(std::move(flight.entry), Manoeuvre::circle);
     for (Hull& arc : flight.arcs) sweep(std::move(arc), Manoeuvre::circle);
     for (const Vec3& p : flight.points) go(p, 0, Manoeuvre::circle);
-    clock_.turn(turns, way.radius);
+    clock_.turn(item.param[0], way.radius);
     track_.leave_from(std::move(flight.leaving));
   }
 
@@ -320,7 +295,7 @@ class Flight {
   void climb(const MissionItem& item) {
     const Vec3 p = place(item);
     if (path().empty()) refuse({.expected = "a waypoint or a take-off before the climb"});
-    const double radius = require_radius(std::abs(item.param[1]));
+    const double radius = require_radius(item, std::abs(item.param[1]), source_);
     const double z = path().back().z();
     Hull hull = track_.from_where();
     for (const double height : {z, p.z()}) {
@@ -384,7 +359,7 @@ class Flight {
     if (flown_.returns || path().empty()) return;
     const Vec3 end = path().back();
     const double ground = places_.above_home(*item_, 0);
-    const double z = std::max(end.z() + most_return_climb(), ground + *rules_.return_height);
+    const double z = std::max(end.z() + most_return_climb(rules_), ground + *rules_.return_height);
     const Vec3 home =
         mission_.home ? on_map(*mission_.home, z) : Vec3(path().front().x(), path().front().y(), z);
     track_.say_no_speed();  // it returns with one of its own
@@ -408,26 +383,9 @@ class Flight {
   }
 
   void sweep_return(const Hull& low, const Vec3& above, double ground) {
-    for (Hull& hull : return_hulls(low, above, ground, least_slope())) {
+    for (Hull& hull : return_hulls(low, above, ground, least_return_slope(rules_))) {
       sweep(std::move(hull), Manoeuvre::return_home);
     }
-  }
-
-  double most_return_climb() const {
-    double most = 0;
-    for (const Autopilot& one : rules_.autopilots) most = std::max(most, one.return_climb);
-    return most;
-  }
-
-  // Of the cones within which a return stays low; 0: there is none.
-  double least_slope() const {
-    double least = 0;
-    for (const Autopilot& one : rules_.autopilots) {
-      if (one.return_slope > 0 && (least == 0 || one.return_slope < least)) {
-        least = one.return_slope;
-      }
-    }
-    return least;
   }
 
   // So long, or (0 or -1) to a time of day.
@@ -442,34 +400,11 @@ class Flight {
     track_.leave_when_reached();
   }
 
-  // -1: as it is; other values that are no speed: the vehicle's own, which the file does not say.
-  void take_speed(const MissionItem& item) {
-    constexpr double kClimb = 2;  // the types of rates of climb and descent
-    constexpr double kDescent = 3;
-    const double speed = item.param[1];
-    if (item.param[0] == kClimb && speed > 0) {
-      most_climb_ = std::max(most_climb_, speed);
-      clock_.say_climb(speed);
-    }
-    if (item.param[0] == kDescent && speed > 0) {
-      most_descent_ = std::max(most_descent_, speed);
-      clock_.say_descent(speed);
-    }
-    if (item.param[0] == kClimb || item.param[0] == kDescent) return;
-    if (speed > 0) {
-      track_.say_speed(speed);
-      clock_.say_speed(speed);
-    } else if (speed != -1) {
-      track_.say_no_speed();
-      clock_.say_no_speed();
-    }
-  }
-
   // --- what is left -------------------------------------------------------------------------
 
   void finish_track() {
     const double speed = track_.most_speed(rules_.speed.value_or(kUnsaidSpeed));
-    const std::vector<Autopilot> autopilots = as_set();
+    const std::vector<Autopilot> autopilots = speeds_.as_set(rules_);
     for (const Autopilot& one : autopilots) {
       flown_.climb = std::max(flown_.climb, one.climb);
       flown_.descent = std::max(flown_.descent, one.descent);
@@ -478,18 +413,6 @@ class Flight {
     flown_.drift = track_.drift(autopilots, {last_, Manoeuvre::landing},
                                 rules_.return_height.value_or(0), flown_);
     track_.finish({last_, Manoeuvre::landing}, speed * speed / (2 * rules_.braking), flown_);
-  }
-
-  // The autopilots with what the user says of their settings.
-  std::vector<Autopilot> as_set() const {
-    std::vector<Autopilot> out = rules_.autopilots;
-    for (Autopilot& one : out) {
-      if (one.heeds_item_radius) one.acceptance = rules_.acceptance.value_or(one.acceptance);
-      one.speed = rules_.speed.value_or(one.speed);
-      one.climb = std::max(one.climb, most_climb_);
-      one.descent = std::max(one.descent, most_descent_);
-    }
-    return out;
   }
 
   void add_fences() {
@@ -517,9 +440,8 @@ class Flight {
   std::vector<std::size_t> order_;
   std::size_t next_ = 0;  // into the order
   const MissionItem* item_ = nullptr;
-  std::size_t last_ = 0;   // that moves something
-  double most_climb_ = 0;  // m/s that items ask for
-  double most_descent_ = 0;
+  std::size_t last_ = 0;  // that moves something
+  MissionSpeeds speeds_;
   FlownTrack track_;
   MissionClock clock_{rules_.autopilots};
   FlownMavlink flown_;  // the track's parts when it is finished

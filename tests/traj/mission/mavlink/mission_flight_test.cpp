@@ -3,83 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <memory>
 
-#include "geom/shape/hull.h"
-#include "support/reading.h"
+#include "traj/mission/mavlink/mission_maker.h"
 
 namespace traj {
 namespace {
 
-const MissionFrame kFrame{{47, 8, 400}, 0};
-
-// A mission about (47, 8), home on the ground at z 10. Places in metres from there.
-class Maker {
- public:
-  Maker() {
-    mission_.home = geom::GeodeticPlace{47, 8, 410};
-    add(kTakeoff, {0, 0, 30});
-  }
-
-  Maker& add(int command, const Vec3& at, std::array<double, 4> param = {}) {
-    const geom::GeodeticPlace place = earth_.place(at);
-    MissionItem item;
-    item.command = command;
-    item.param = param;
-    item.latitude = place.latitude;
-    item.longitude = place.longitude;
-    item.altitude = at.z() - 10;
-    item.number = mission_.items.size() + 1;
-    mission_.items.push_back(item);
-    return *this;
-  }
-
-  // An item without a place.
-  Maker& just(int command, std::array<double, 4> param = {}) {
-    add(command, Vec3(0, 0, 10), param);
-    mission_.items.back().latitude = mission_.items.back().longitude = 0;
-    mission_.items.back().frame = kMissionFrame;
-    return *this;
-  }
-
-  // A landing where it is, which the file says by null.
-  Maker& land_here() {
-    just(kLand);
-    MissionItem& item = mission_.items.back();
-    item.latitude = item.longitude = std::numeric_limits<double>::quiet_NaN();
-    item.frame = kGlobalRelative;
-    return *this;
-  }
-
-  FlownMavlink fly(const MissionRules& rules = {}, const MissionFrame& frame = kFrame) const {
-    return flown_mission(mission_, frame, rules, "m");
-  }
-
-  std::string refusal(const MissionRules& rules = {}, const MissionFrame& frame = kFrame) const {
-    return support::refusal_of([&] { fly(rules, frame); });
-  }
-
-  Mission& mission() { return mission_; }
-
- private:
-  Mission mission_;
-  geom::GeographicFrame earth_{kFrame.origin};
-};
-
-bool holds(const std::vector<Vec3>& hull, const Vec3& p) {
-  const Vec3 hair = Vec3::Constant(1e-6);
-  return geom::hull_meets(hull, {p - hair, p + hair}).has_value();
-}
-
-// Whether one of the sweeps of that kind holds the point.
-bool swept(const FlownMavlink& flown, Manoeuvre manoeuvre, const Vec3& p) {
-  for (const Sweep& sweep : flown.sweeps) {
-    if (sweep.part.manoeuvre == manoeuvre && holds(sweep.hull, p)) return true;
-  }
-  return false;
-}
-
-void expect_near(const Vec3& a, const Vec3& b) { EXPECT_LT((a - b).norm(), 1e-6) << a.transpose(); }
+using testing::expect_near;
+using testing::holds;
+using testing::kArduPilot;
+using testing::kHomeFrame;
+using testing::kPx4;
+using testing::swept;
+using Maker = testing::MissionMaker;
 
 TEST(FlownMission, SweepsTheCornersOfWaypointsWithoutARest) {
   Maker maker;
@@ -167,49 +103,6 @@ TEST(FlownMission, RatesOfClimbAreNoSpeeds) {
   maker.just(kSpeed, {3, 0.1, -1, 0}).add(kWaypoint, {100, 0, 30}).add(kWaypoint, {100, 80, 30});
   EXPECT_FALSE(maker.fly().speed);
   EXPECT_TRUE(swept(maker.fly(), Manoeuvre::corner, {106, 0, 30}));
-}
-
-TEST(FlownMission, GoesAroundACircleFromItsNearestPoint) {
-  Maker maker;
-  maker.add(kWaypoint, {0, 20, 30}, {1, 0.2, 0, 0}).add(kLoiterTurns, {0, 100, 40}, {2, 0, 25, 0});
-  maker.add(kWaypoint, {80, 75, 40});
-  const FlownMavlink flown = maker.fly();
-  expect_near(flown.path[2], {0, 75, 40});
-  EXPECT_EQ(flown.path.size(), 2u + 33u + 1u);
-  for (double angle = 0; angle < 6.3; angle += 0.01) {
-    const Vec3 p(25 * std::cos(angle), 100 + 25 * std::sin(angle), 40);
-    EXPECT_TRUE(swept(flown, Manoeuvre::circle, p)) << angle;
-  }
-  EXPECT_FALSE(swept(flown, Manoeuvre::circle, {0, 100, 40})) << "a tower may stand in it";
-  expect_near(flown.path[flown.path.size() - 2], {0, 75, 40});
-  EXPECT_TRUE(swept(flown, Manoeuvre::leg, {40, 75, 40}));
-}
-
-TEST(FlownMission, RefusesCirclesThatItCannotPlace) {
-  const Vec3 centre(0, 100, 40);
-  EXPECT_EQ(Maker().add(kLoiterTurns, centre, {1.5, 0, 25, 0}).refusal(),
-            "m: item 2: expected whole turns on a circle, at least one, found 1.5");
-  EXPECT_EQ(Maker().add(kLoiterTurns, centre, {1, 0, 0, 0}).refusal(),
-            "m: item 2: expected the radius of the circle, found 0: it would be the vehicle's own");
-  EXPECT_EQ(
-      Maker().add(kLoiterTurns, centre, {1, 0, 10.9, 0}).refusal(),
-      "m: item 2: expected a radius of whole metres, or of tens above 255, as ArduPilot keeps "
-      "it, found 10.9");
-  EXPECT_EQ(Maker().add(kLoiterTurns, centre, {1, 0, 2e4, 0}).refusal(),
-            "m: item 2: a radius must be within 1e4 m, found 20000");
-  EXPECT_EQ(Maker()
-                .add(kWaypoint, {0, 95, 40}, {1, 0.2, 0, 0})
-                .add(kLoiterTurns, centre, {1, 0, 25, 0})
-                .refusal(),
-            "m: item 3: expected to come to the circle from outside of half its radius, found a "
-            "point nearer to its centre: where the circle begins is uncertain");
-  EXPECT_EQ(
-      Maker()
-          .add(kLoiterTime, {0, 50, 30}, {9, 0, 5, 0})
-          .add(kLoiterTurns, centre, {1, 0, 25, 0})
-          .refusal(),
-      "m: item 3: expected a waypoint before a circle, so that it is known where that begins, "
-      "found loitering, a delay, a short hold or a take-off away from home");
 }
 
 TEST(FlownMission, LoitersOnTheSpotOrAnywhereInACircle) {
@@ -324,7 +217,7 @@ TEST(FlownMission, BrakesFromTheLargestSpeedThatMayBe) {
 TEST(FlownMission, MayReturnToRallyPoints) {
   Maker maker;
   maker.add(kWaypoint, {100, 0, 30}, {1, 0.2, 0, 0}).just(kReturn);
-  const geom::GeographicFrame earth(kFrame.origin);
+  const geom::GeographicFrame earth(kHomeFrame.origin);
   geom::GeodeticPlace rally = earth.place({0, 200, 0});
   rally.height = 15;
   maker.mission().rally = {rally};
@@ -343,7 +236,7 @@ TEST(FlownMission, MayReturnToRallyPoints) {
 TEST(FlownMission, MayReturnToRallyPointsAboveTheReturnHeight) {
   Maker maker;
   maker.add(kWaypoint, {100, 0, 30}, {1, 0.2, 0, 0}).just(kReturn);
-  geom::GeodeticPlace rally = geom::GeographicFrame(kFrame.origin).place({0, 200, 0});
+  geom::GeodeticPlace rally = geom::GeographicFrame(kHomeFrame.origin).place({0, 200, 0});
   rally.height = 90;
   maker.mission().rally = {rally};
   const FlownMavlink flown = maker.fly({.return_height = 60});
@@ -363,123 +256,10 @@ TEST(FlownMission, LandsWhereItsPlaceIsKnown) {
   EXPECT_EQ(rested.fly().ends.landing_on, 10);
 }
 
-TEST(FlownMission, TakesHeightsAboveFlatTerrain) {
-  Maker maker;
-  maker.add(kWaypoint, {100, 0, 30});
-  maker.mission().items.back().frame = kGlobalTerrain;
-  EXPECT_EQ(
-      maker.refusal(),
-      "m: item 2: expected heights above sea level or home, found one above terrain: where "
-      "the ground is flat, give its height; over other ground an autopilot follows terrain data of "
-      "its own, which no file shows: give a height model of it (--ground-model)");
-  EXPECT_NEAR(maker.fly({.ground = 3}).path.back().z(), 23, 1e-9);
-  EXPECT_TRUE(maker.fly({.ground = 3}).counts_from_flat_ground);
-}
-
-// The sea level falls by 1 m to the east of home.
-TEST(FlownMission, TakesTheSeaLevelAtEachPlace) {
-  MissionFrame frame = kFrame;
-  frame.geoid_grid =
-      std::make_shared<const geom::GeoidGrid>(geom::GeoidGrid{.south = 46,
-                                                              .west = 7.998,
-                                                              .north_step = 2,
-                                                              .east_step = 0.002,
-                                                              .columns = 3,
-                                                              .rows = 2,
-                                                              .heights = {3, 2, 1, 3, 2, 1},
-                                                              .error = 0.25});
-  Maker maker;
-  maker.add(kWaypoint, {75.9, 0, 30});
-  MissionItem& item = maker.mission().items.back();
-  item.frame = kGlobal;
-  item.altitude = 430;
-  const FlownMavlink flown = maker.fly({}, frame);
-  EXPECT_NEAR(flown.home->z(), 12, 1e-3) << "410 m over a sea that is 2 m above the ellipsoid";
-  EXPECT_NEAR(flown.path.back().z(), 31.5, 2e-3) << "75.9 m are half a cell, but for 0.2 m";
-  EXPECT_NEAR(flown.path_stray.z(), kMissionStray.z() + 0.25, 1e-12) << "the grid's error";
-  EXPECT_TRUE(flown.counts_from_sea);
-  EXPECT_NEAR(maker.fly({.home = 10}, frame).path_stray.z(), kMissionStray.z() + 0.25, 1e-12);
-  Maker relative;
-  relative.add(kWaypoint, {75.9, 0, 30});
-  EXPECT_EQ(relative.fly({.home = 10}, frame).path_stray.z(), kMissionStray.z())
-      << "no height of it counts from the sea";
-}
-
-TEST(FlownMission, SaysTheHomeThatItAssumed) {
-  Maker maker;
-  maker.add(kWaypoint, {100, 0, 30});
-  expect_near(*maker.fly().home, {0, 0, 10});
-  expect_near(*maker.fly({.home = 12}).home, {0, 0, 12});
-  maker.mission().home.reset();
-  expect_near(*maker.fly({.home = 12}).home, {0, 0, 12});
-}
-
 TEST(FlownMission, CountsWhatMovesNothing) {
   Maker maker;
   maker.just(201).just(2000).add(kWaypoint, {100, 0, 30});
   EXPECT_EQ(maker.fly().idle_items, 2u);
-}
-
-// Its home is 410 m above the sea, and that says nothing of the map's z.
-TEST(FlownMission, CountsFromTheGroundThatIsGivenWhereTheMapsHeightIsNotKnown) {
-  const MissionFrame unknown{{47, 8, 0}, 0, false};
-  Maker maker;
-  maker.add(kWaypoint, {100, 0, 30}, {2, 0, 0, 0});
-  EXPECT_EQ(maker.refusal({}, unknown),
-            "m: item 1: heights count from home, which the file gives above the sea, and the map "
-            "does not say how high its z = 0 is: give the map's z of the ground there (--ground)");
-  const FlownMavlink flown = maker.fly({.home = 3}, unknown);
-  EXPECT_EQ(flown.ends.takeoff_from, 3);
-  EXPECT_NEAR(flown.path.back().z(), 23, 1e-9);
-}
-
-TEST(FlownMission, RefusesHeightsAboveTheSeaWhereTheMapsHeightIsNotKnown) {
-  const MissionFrame unknown{{47, 8, 0}, 0, false};
-  for (const int frame : {kGlobal, kGlobalInt}) {
-    Maker maker;
-    maker.add(kWaypoint, {100, 0, 30});
-    maker.mission().items.back().frame = frame;
-    EXPECT_EQ(maker.refusal({.home = 3}, unknown),
-              "m: item 2: expected heights above home, found one above the sea, and the map does "
-              "not say how high its z = 0 is: give --origin latitude,longitude,height");
-  }
-}
-
-// Else the way up from the ground would be left out.
-TEST(FlownMission, RefusesATakeOffFromAGroundThatNobodyGave) {
-  Maker maker;
-  maker.add(kWaypoint, {100, 0, 430}, {2, 0, 0, 0});
-  maker.mission().items[0].altitude = 430;
-  for (MissionItem& item : maker.mission().items) item.frame = kGlobal;
-  EXPECT_EQ(maker.fly().ends.takeoff_from, 10);
-  maker.mission().home.reset();
-  EXPECT_EQ(maker.refusal(),
-            "m: item 1: heights count from home, and the file has no home: give the height of the "
-            "ground there (--ground)");
-  EXPECT_EQ(maker.fly({.home = 12}).ends.takeoff_from, 12);
-}
-
-const MissionRules kArduPilot{.autopilots = {ardupilot()}};
-const MissionRules kPx4{.autopilots = {px4()}};
-
-TEST(FlownMission, TakesZerosAsTheAutopilotDoes) {
-  Maker height;
-  height.add(kWaypoint, {100, 0, 40}).add(kWaypoint, {100, 80, 10});
-  expect_near(height.fly(kArduPilot).path.back(), {100, 80, 40});
-  expect_near(height.fly(kPx4).path.back(), {100, 80, 10});
-  EXPECT_EQ(height.refusal(),
-            "m: item 3: expected an altitude, found 0: ArduPilot then keeps its height, and PX4 "
-            "flies at that of home: say which of them flies it (--autopilot)");
-  height.mission().items.back().altitude = 0.0099;
-  expect_near(height.fly(kArduPilot).path.back(), {100, 80, 40});
-  Maker place;
-  place.add(kWaypoint, {100, 0, 40}).add(kLoiterTime, {0, 0, 50}, {5, 0, 0, 0});
-  place.mission().items.back().latitude = place.mission().items.back().longitude = 0;
-  expect_near(place.fly(kArduPilot).path.back(), {100, 0, 50});
-  EXPECT_EQ(place.refusal(),
-            "m: item 3: expected a place, found latitude 0, longitude 0: ArduPilot then stays "
-            "where it is, and PX4 flies there: say which of them flies it (--autopilot)");
-  EXPECT_EQ(place.refusal(kPx4), "m: item 3: expected a place near the origin 47 8, found 0 0");
 }
 
 TEST(FlownMission, ClimbsToTheHeightOfHomeWhereThatIsSaid) {
