@@ -3,7 +3,6 @@
 // What PROJ gives out, given back by itself (proj_*.cpp only).
 
 #include <memory>
-#include <string>
 
 #include "geom/earth/proj_reference.h"
 #include "proj_library.h"

@@ -4,24 +4,27 @@
 
 #include <embree3/rtcore.h>
 
+#include "geom/base/loaded_library.h"
+
 namespace geom::picture {
 
 struct EmbreeLibrary {
-  decltype(&rtcNewDevice) new_device;
-  decltype(&rtcReleaseDevice) release_device;
-  decltype(&rtcGetDeviceError) device_error;
-  decltype(&rtcGetDeviceProperty) device_property;
-  decltype(&rtcNewScene) new_scene;
-  decltype(&rtcReleaseScene) release_scene;
-  decltype(&rtcSetSceneFlags) set_scene_flags;
-  decltype(&rtcCommitScene) commit_scene;
-  decltype(&rtcNewGeometry) new_geometry;
-  decltype(&rtcReleaseGeometry) release_geometry;
-  decltype(&rtcSetNewGeometryBuffer) set_new_geometry_buffer;
-  decltype(&rtcCommitGeometry) commit_geometry;
-  decltype(&rtcAttachGeometryByID) attach_geometry;
-  decltype(&rtcIntersect16) intersect16;
-  decltype(&rtcOccluded16) occluded16;
+  LoadedLibrary library;
+  SKYWAY_LOADED(new_device, rtcNewDevice);
+  SKYWAY_LOADED(release_device, rtcReleaseDevice);
+  SKYWAY_LOADED(device_error, rtcGetDeviceError);
+  SKYWAY_LOADED(device_property, rtcGetDeviceProperty);
+  SKYWAY_LOADED(new_scene, rtcNewScene);
+  SKYWAY_LOADED(release_scene, rtcReleaseScene);
+  SKYWAY_LOADED(set_scene_flags, rtcSetSceneFlags);
+  SKYWAY_LOADED(commit_scene, rtcCommitScene);
+  SKYWAY_LOADED(new_geometry, rtcNewGeometry);
+  SKYWAY_LOADED(release_geometry, rtcReleaseGeometry);
+  SKYWAY_LOADED(set_new_geometry_buffer, rtcSetNewGeometryBuffer);
+  SKYWAY_LOADED(commit_geometry, rtcCommitGeometry);
+  SKYWAY_LOADED(attach_geometry, rtcAttachGeometryByID);
+  SKYWAY_LOADED(intersect16, rtcIntersect16);
+  SKYWAY_LOADED(occluded16, rtcOccluded16);
 };
 
 // Throws what LoadedLibrary throws, each time. Threads may call at once.

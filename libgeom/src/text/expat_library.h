@@ -4,22 +4,25 @@
 
 #include <expat.h>
 
+#include "geom/base/loaded_library.h"
+
 namespace geom {
 
 // Every tool can be given a file of XML, and few are.
 struct ExpatLibrary {
-  decltype(XML_ParserCreate)* parser_create;
-  decltype(XML_ParserFree)* parser_free;
-  decltype(XML_SetUserData)* set_user_data;
-  decltype(XML_SetElementHandler)* set_element_handler;
-  decltype(XML_SetCharacterDataHandler)* set_character_data_handler;
-  decltype(XML_SetStartDoctypeDeclHandler)* set_start_doctype_handler;
-  decltype(XML_SetUnknownEncodingHandler)* set_unknown_encoding_handler;
-  decltype(XML_Parse)* parse;
-  decltype(XML_StopParser)* stop_parser;
-  decltype(XML_GetErrorCode)* error_code;
-  decltype(XML_GetCurrentLineNumber)* current_line;
-  decltype(XML_GetInputContext)* input_context;
+  LoadedLibrary library;
+  SKYWAY_LOADED(parser_create, XML_ParserCreate);
+  SKYWAY_LOADED(parser_free, XML_ParserFree);
+  SKYWAY_LOADED(set_user_data, XML_SetUserData);
+  SKYWAY_LOADED(set_element_handler, XML_SetElementHandler);
+  SKYWAY_LOADED(set_character_data_handler, XML_SetCharacterDataHandler);
+  SKYWAY_LOADED(set_start_doctype_handler, XML_SetStartDoctypeDeclHandler);
+  SKYWAY_LOADED(set_unknown_encoding_handler, XML_SetUnknownEncodingHandler);
+  SKYWAY_LOADED(parse, XML_Parse);
+  SKYWAY_LOADED(stop_parser, XML_StopParser);
+  SKYWAY_LOADED(error_code, XML_GetErrorCode);
+  SKYWAY_LOADED(current_line, XML_GetCurrentLineNumber);
+  SKYWAY_LOADED(input_context, XML_GetInputContext);
 };
 
 // Throws what LoadedLibrary throws, each time. Threads may call at once.

@@ -42,4 +42,8 @@ class LoadedLibrary {
 #define SKYWAY_FUNCTION(library, name) \
   static_cast<decltype(&name)>((library).function(#name))  // NOLINT: a name and its text
 
+// The same as a member of a struct, behind its member `library`, which it is loaded from.
+#define SKYWAY_LOADED(member, name) \
+  decltype(&name) member = library.function(#name)  // NOLINT: a name and its text
+
 }  // namespace geom
