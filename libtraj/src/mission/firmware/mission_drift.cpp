@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "drift_way.h"
 #include "mission/flown/flown_regions.h"
 
 namespace traj {
@@ -15,32 +16,30 @@ constexpr double kSwing = 1.4;
 constexpr double kTightRadius = 0.5;  // m
 
 constexpr double kPastLanding = 0.5;  // m beyond the place where it comes to sink
-constexpr double kFarBack = 200;      // m: no speed lasts so long
-
-Vec3 level(const Vec3& v) { return {v.x(), v.y(), 0}; }
 
 class DriftMaker {
  public:
-  DriftMaker(const Autopilot& autopilot, const DriftTask& task) : pilot_(autopilot), task_(task) {}
+  DriftMaker(const Autopilot& autopilot, const DriftTask& task)
+      : pilot_(autopilot), task_(task), way_(autopilot, task) {}
 
   Drift make() {
     for (const Sweep& sweep : task_.sweeps) {
       const bool bends = sweep.part.manoeuvre == Manoeuvre::spline;
-      out_.push_back({bends ? around(sweep.hull, furthest_overshoot()) : sweep.hull, sweep.part,
-                      sweep.stands_on});
+      out_.push_back({bends ? around(sweep.hull, way_.furthest_overshoot()) : sweep.hull,
+                      sweep.part, sweep.stands_on});
       if (sweep.stands_on) set_down(sweep);
     }
     if (task_.ends.takeoff_from) take_off();
     for (std::size_t i = 0; i < task_.path.size(); ++i) {
       if (i > 0) leg(i);
       if (i > 0 && task_.legs[i].manoeuvre == Manoeuvre::climb) climb(i);
-      if (i > 0 && i + 1 < task_.path.size()) stops(i) ? stop(i) : pass(i);
+      if (i > 0 && i + 1 < task_.path.size()) way_.stops(i) ? stop(i) : pass(i);
     }
     task_.ends.landing_on ? land() : end();
     return_home();
-    Drift drift{pilot_.name, std::move(out_), pilot_.tracking, timed_legs()};
+    Drift drift{pilot_.name, std::move(out_), pilot_.tracking, way_.timed_legs()};
     for (std::size_t i = 1; i < task_.path.size(); ++i) {
-      drift.speed = std::max(drift.speed, speed_at_end(i));
+      drift.speed = std::max(drift.speed, way_.speed_at_end(i));
     }
     return drift;
   }
@@ -56,142 +55,17 @@ class DriftMaker {
     out_.push_back({std::move(hull), part, ground, std::move(motion)});
   }
 
-  // As on these legs; where one of them rises or sinks, so may the vehicle on all.
-  Motion along(std::size_t first, std::size_t last) const {
-    Motion motion{first, last, {}};
-    bool rises = first == 0;
-    bool sinks = last >= task_.path.size();
-    for (std::size_t i = std::max<std::size_t>(first, 1); i <= last && i < task_.path.size(); ++i) {
-      motion.velocity.push_back(velocity(i));
-      rises = rises || direction(i).z() > 0;
-      sinks = sinks || direction(i).z() < 0;
-    }
-    if (rises) motion.velocity.push_back({{0, 0, pilot_.climb}});
-    if (sinks) motion.velocity.push_back({{0, 0, -pilot_.descent}});
-    return motion;
-  }
-
-  // On the leg to a point.
-  Velocity velocity(std::size_t i) const {
-    Velocity out{direction(i) * speed_at_end(i)};
-    if (i > 1 && stops(i - 1)) out.since = at(i - 1);
-    if (i + 1 == task_.path.size() || stops(i)) out.until = at(i);
-    return out;
-  }
-
-  // --- times ----------------------------------------------------------------------------------
-
-  // From the ground to the ground: the take-off first, then the leg to each point, the landing.
-  std::vector<TimedLeg> timed_legs() const {
-    std::vector<TimedLeg> legs;
-    const Vec3& first = at(0);
-    const double ground = task_.ends.takeoff_from.value_or(first.z());
-    double now = std::max(0.0, first.z() - ground) / pilot_.climb;
-    legs.push_back(
-        {{first.x(), first.y(), std::min(ground, first.z())}, first, 0, now, task_.legs[0]});
-    for (std::size_t i = 1; i < task_.path.size(); ++i) {
-      now += task_.hold[i - 1];
-      const double arrives = now + seconds(i);
-      legs.push_back({at(i - 1), at(i), now, arrives, task_.legs[i]});
-      now = arrives;
-    }
-    if (!task_.ends.landing_on) return legs;
-    const Vec3& last = at(task_.path.size() - 1);
-    now += task_.hold.back();
-    const double sinks = std::max(0.0, last.z() - *task_.ends.landing_on) / pilot_.descent;
-    legs.push_back(
-        {last, {last.x(), last.y(), *task_.ends.landing_on}, now, now + sinks, task_.landing});
-    return legs;
-  }
-
-  // Of the leg to a point: at its speed, and what speeding up from a rest and slowing down takes.
-  double seconds(std::size_t i) const {
-    const double fast = speed(i);
-    const double ramp = fast / (2 * pilot_.acceleration);
-    const bool from_rest = i == 1 || stops(i - 1);
-    const bool to_rest = i + 1 == task_.path.size() || stops(i);
-    return length(i) / fast + (from_rest ? ramp : 0) + (to_rest ? ramp : 0);
-  }
-
-  Vec3 direction(std::size_t i) const {
-    const Vec3 way = at(i) - at(i - 1);
-    const double length = way.norm();
-    return length > 0 ? Vec3(way / length) : Vec3(Vec3::Zero());
-  }
-
-  double length(std::size_t i) const { return (at(i) - at(i - 1)).norm(); }
-
-  // The most that the leg to a point is flown with, m/s: its climb or descent may hold it back.
-  double speed(std::size_t i) const {
-    const double asked = task_.speeds[i].value_or(pilot_.speed);
-    const double rise = direction(i).z();
-    const double most = rise > 0 ? pilot_.climb : pilot_.descent;
-    return std::abs(rise) > 0 ? std::min(asked, most / std::abs(rise)) : asked;
-  }
-
-  // The same where the leg ends: it may still be slowing down from a faster one, with half of the
-  // acceleration that it may.
-  double speed_at_end(std::size_t i) const {
-    double fastest = speed(i);
-    double way = length(i);
-    for (std::size_t k = i - 1; k > 0 && !stops(k); --k) {
-      const double left = speed(k) * speed(k) - pilot_.acceleration * way;
-      if (left > fastest * fastest) fastest = std::sqrt(left);
-      way += length(k);
-      if (way > kFarBack) break;
-    }
-    return fastest;
-  }
-
-  // How far a stop at a point is overshot.
-  Vec3 overshoot(std::size_t i) const {
-    if (i == 0) return Vec3::Zero();
-    const Vec3 along = level(direction(i));
-    return along * (pilot_.overshoot_time * speed_at_end(i) + pilot_.overshoot);
-  }
-
-  // Of the fastest leg: splines leave to any side.
-  double furthest_overshoot() const {
-    double fastest = 0;
-    for (const auto& one : task_.speeds) fastest = std::max(fastest, one.value_or(pilot_.speed));
-    return pilot_.overshoot_time * fastest + pilot_.overshoot;
-  }
-
-  // A point of the next leg where a corner, or a stop that was overshot, has decayed.
-  Vec3 settled(std::size_t i, double speed, const Settling& settling) const {
-    return before_corner(at(i + 1), at(i), settling.distance + settling.time * speed);
-  }
-
-  double radius(std::size_t i) const {
-    const double said = task_.turns[i].said;
-    return pilot_.heeds_item_radius && said > 0 ? said : pilot_.acceptance;
-  }
-
-  bool is_leg(std::size_t i) const {
-    const Manoeuvre manoeuvre = task_.legs[i].manoeuvre;
-    return manoeuvre == Manoeuvre::leg || manoeuvre == Manoeuvre::spline ||
-           manoeuvre == Manoeuvre::hover;
-  }
-
-  // Rests there, as this autopilot counts it.
-  bool stops(std::size_t i) const {
-    const Manoeuvre manoeuvre = task_.legs[i].manoeuvre;
-    if (returns(i)) return !pilot_.heeds_item_radius;
-    if (task_.turns[i].kind == Turn::rest) return manoeuvre != Manoeuvre::circle;
-    return !pilot_.heeds_item_radius && task_.hold[i] >= 1;
-  }
-
   // --- pieces -------------------------------------------------------------------------------
 
   void leg(std::size_t i) {
     Hull hull{at(i - 1), at(i)};
-    const double r = radius(i);
-    if (is_leg(i) && r < pilot_.least_radius) {
+    const double r = way_.radius(i);
+    if (way_.is_leg(i) && r < pilot_.least_radius) {
       hull.push_back({at(i - 1).x(), at(i - 1).y(), at(i).z()});
       hull = around(hull, r < kTightRadius ? kWideSwing : kSwing);
     }
-    add(std::move(hull), task_.legs[i], along(i, i));
-    if (pilot_.climbs_ahead && is_leg(i) && (i == 1 || stops(i - 1))) climb_ahead(i);
+    add(std::move(hull), task_.legs[i], way_.along(i, i));
+    if (pilot_.climbs_ahead && way_.is_leg(i) && (i == 1 || way_.stops(i - 1))) climb_ahead(i);
   }
 
   // While it speeds up from a rest, the height is where it would be at full speed.
@@ -199,17 +73,17 @@ class DriftMaker {
     const Vec3 way = at(i) - at(i - 1);
     const double across = level(way).norm();
     if (across == 0 || way.z() == 0) return;
-    const double fast = speed(i);
+    const double fast = way_.speed(i);
     const double share = std::min(1.0, fast * fast / (2 * pilot_.acceleration * across));
     const Vec3 up(0, 0, share * way.z());
-    const Vec3 beyond = at(i - 1) + overshoot(i - 1);
+    const Vec3 beyond = at(i - 1) + way_.overshoot(i - 1);
     add({at(i - 1), at(i - 1) + up, beyond, beyond + up, at(i) - share * level(way), at(i)},
-        task_.legs[i], along(i, i));
+        task_.legs[i], way_.along(i, i));
   }
 
   // A climb begins, and ends, where the place is within the radius, and stays so far off.
   void climb(std::size_t i) {
-    const double r = radius(i);
+    const double r = way_.radius(i);
     Hull hull;
     for (const Vec3& p : {at(i - 1), at(i)}) {
       for (const Vec3& by : {Vec3(r, r, 0), Vec3(-r, r, 0)}) {
@@ -217,8 +91,9 @@ class DriftMaker {
         hull.push_back(p - by);
       }
     }
-    if (i + 1 < task_.path.size()) hull.push_back(settled(i, speed(i + 1), pilot_.from_corner));
-    add(std::move(hull), task_.legs[i], along(i, i + 1));
+    if (i + 1 < task_.path.size())
+      hull.push_back(way_.settled(i, way_.speed(i + 1), pilot_.from_corner));
+    add(std::move(hull), task_.legs[i], way_.along(i, i + 1));
   }
 
   static Hull around(const Hull& hull, double by) {
@@ -235,40 +110,41 @@ class DriftMaker {
     const Vec3& top = at(0);
     const Vec3 ground(top.x(), top.y(), *task_.ends.takeoff_from);
     const double high = std::max(top.z(), ground.z() + pilot_.takeoff_height);
-    add_to_ground({ground, {top.x(), top.y(), high}}, task_.legs[0], ground.z(), along(0, 0));
+    add_to_ground({ground, {top.x(), top.y(), high}}, task_.legs[0], ground.z(), way_.along(0, 0));
     if (task_.path.size() < 2) return;
     const double low =
         std::min(pilot_.height_acceptance, std::max(0.0, (top.z() - ground.z()) / 2));
     const Vec3 up(0, 0, 1.25 * pilot_.height_acceptance);
     const Vec3 down(0, 0, low);
     Hull hull{top - down, Vec3(top.x(), top.y(), high) + up,
-              settled(0, speed(1), pilot_.from_corner)};
+              way_.settled(0, way_.speed(1), pilot_.from_corner)};
     // Away from home: some go on from above home.
     const bool away = task_.path.size() > 2 && task_.legs[1].manoeuvre == Manoeuvre::takeoff;
     if (away) {
-      hull.insert(hull.end(), {at(1) - down, at(1) + up, settled(1, speed(2), pilot_.from_corner)});
+      hull.insert(hull.end(),
+                  {at(1) - down, at(1) + up, way_.settled(1, way_.speed(2), pilot_.from_corner)});
     }
-    add(std::move(hull), task_.legs[0], along(0, away ? 2 : 1));
+    add(std::move(hull), task_.legs[0], way_.along(0, away ? 2 : 1));
   }
 
   // Beyond the stop, and from there onto the next leg.
   void stop(std::size_t i) {
-    const Vec3 beyond = overshoot(i);
+    const Vec3 beyond = way_.overshoot(i);
     if (beyond.isZero(0)) return;
-    const double fast = speed(i);
-    add({at(i), at(i) + beyond, settled(i, fast, pilot_.from_stop)},
-        {task_.legs[i].item, Manoeuvre::overshoot}, along(i, i + 1));
+    const double fast = way_.speed(i);
+    add({at(i), at(i) + beyond, way_.settled(i, fast, pilot_.from_stop)},
+        {task_.legs[i].item, Manoeuvre::overshoot}, way_.along(i, i + 1));
   }
 
   void pass(std::size_t i) {
     const FlightPart part{task_.legs[i].item, Manoeuvre::corner};
     const Vec3& p = at(i);
-    const double fast = std::max(speed_at_end(i), speed(i + 1));
+    const double fast = std::max(way_.speed_at_end(i), way_.speed(i + 1));
     cut_short_leg(i, part);
     if (pilot_.turns_by_s_curve) return pass_by_s_curve(i, fast, part);
-    const double begin = std::hypot(radius(i), pilot_.height_acceptance);
-    Hull hull{before_corner(at(i - 1), p, begin), p, settled(i, fast, pilot_.from_corner)};
-    Motion motion = along(i, i + 1);
+    const double begin = std::hypot(way_.radius(i), pilot_.height_acceptance);
+    Hull hull{before_corner(at(i - 1), p, begin), p, way_.settled(i, fast, pilot_.from_corner)};
+    Motion motion = way_.along(i, i + 1);
     for (const Vec3& from : task_.turns[i].from) {
       hull.push_back(before_corner(from, p, begin));
       const Vec3 way = p - from;
@@ -278,9 +154,10 @@ class DriftMaker {
     swing(i, fast, part);
     bulge(i, part);
     if (task_.hold[i] > 0) {
-      add({before_corner(at(i - 1), p, begin), p + direction(i) * (pilot_.run_on * speed(i)),
-           settled(i, fast, pilot_.from_corner)},
-          part, along(i, i + 1));
+      add({before_corner(at(i - 1), p, begin),
+           p + way_.direction(i) * (pilot_.run_on * way_.speed(i)),
+           way_.settled(i, fast, pilot_.from_corner)},
+          part, way_.along(i, i + 1));
     }
   }
 
@@ -288,11 +165,11 @@ class DriftMaker {
   // anywhere between.
   void cut_short_leg(std::size_t i, const FlightPart& part) {
     constexpr double kShort = 12;  // m
-    if (i + 2 >= task_.path.size() || length(i + 1) > kShort || stops(i + 1)) return;
-    const double begin = std::hypot(radius(i), pilot_.height_acceptance);
+    if (i + 2 >= task_.path.size() || way_.length(i + 1) > kShort || way_.stops(i + 1)) return;
+    const double begin = std::hypot(way_.radius(i), pilot_.height_acceptance);
     add({before_corner(at(i - 1), at(i), begin), at(i), at(i + 1),
-         settled(i + 1, speed(i + 2), pilot_.from_corner)},
-        part, along(i, i + 2));
+         way_.settled(i + 1, way_.speed(i + 2), pilot_.from_corner)},
+        part, way_.along(i, i + 2));
   }
 
   // While it speeds up it swings to either side of the new leg, most from 10 m to 40 m behind the
@@ -301,21 +178,21 @@ class DriftMaker {
     constexpr double kBegin = 5;  // m
     constexpr double kEnd = 40;
     const Vec3& p = at(i);
-    const Vec3 out = direction(i + 1);
-    const double long_leg = length(i + 1);
-    const double fast = speed(i + 1);
-    const double gentle = std::clamp((1 + direction(i).dot(out)) / 1.5, 0.4, 1.0);
+    const Vec3 out = way_.direction(i + 1);
+    const double long_leg = way_.length(i + 1);
+    const double fast = way_.speed(i + 1);
+    const double gentle = std::clamp((1 + way_.direction(i).dot(out)) / 1.5, 0.4, 1.0);
     const Vec3 aside = Vec3(-out.y(), out.x(), 0) * (gentle * pilot_.bulge * fast * fast);
     const Vec3 begin = p + out * std::min(kBegin, long_leg);
     const Vec3 end = p + out * std::min(kEnd, long_leg);
-    Hull hull{p, settled(i, fast, pilot_.from_corner)};
+    Hull hull{p, way_.settled(i, fast, pilot_.from_corner)};
     for (const Vec3& at : {begin, end}) {
       for (const Vec3& by : {aside, Vec3(0, 0, aside.norm() / 2)}) {
         hull.push_back(at + by);
         hull.push_back(at - by);
       }
     }
-    add(std::move(hull), part, along(i, i + 1));
+    add(std::move(hull), part, way_.along(i, i + 1));
   }
 
   // The blend of two S-curves bends one way: it leaves the old leg where that begins to slow down,
@@ -323,34 +200,34 @@ class DriftMaker {
   // triangles.
   void pass_by_s_curve(std::size_t i, double fast, const FlightPart& part) {
     const Vec3& p = at(i);
-    const Vec3 in = direction(i);
-    const Vec3 out = direction(i + 1);
+    const Vec3 in = way_.direction(i);
+    const Vec3 out = way_.direction(i + 1);
     const double blend = s_curve_length(pilot_, fast);
     const Vec3 begin = before_corner(at(i - 1), p, blend);
     const Vec3 end = before_corner(at(i + 1), p, std::max(blend, pilot_.from_corner.distance));
     const Vec3 inward = out - in;
     const double turn = inward.norm();
     const Vec3 nearest = turn > 0 ? Vec3(p + inward * (pilot_.acceptance / turn)) : p;
-    add({begin, p, nearest}, part, along(i, i + 1));
-    add({p, end, nearest}, part, along(i, i + 1));
+    add({begin, p, nearest}, part, way_.along(i, i + 1));
+    add({p, end, nearest}, part, way_.along(i, i + 1));
     swing(i, fast, part);
   }
 
   // Behind a passed point it swings outward, as a stop is overshot.
   void swing(std::size_t i, double fast, const FlightPart& part) {
     const Vec3& p = at(i);
-    const Vec3 in = direction(i);
-    const Vec3 out = direction(i + 1);
+    const Vec3 in = way_.direction(i);
+    const Vec3 out = way_.direction(i + 1);
     const double far = pilot_.overshoot_time * fast + pilot_.overshoot;
     const Vec3 across = in - out * in.dot(out);
     const double turned = across.norm();
-    Hull hull{p, p + in * far, settled(i, fast, pilot_.from_stop)};
+    Hull hull{p, p + in * far, way_.settled(i, fast, pilot_.from_stop)};
     if (turned > 0) {
       const Vec3 outward = across * (std::min(1.0, turned * 2) * far / turned);
       hull.push_back(p + outward);
       hull.push_back(hull[2] + outward);
     }
-    add(std::move(hull), part, along(i, i + 1));
+    add(std::move(hull), part, way_.along(i, i + 1));
   }
 
   // A payload's place: it sinks at once, off by what its stop was overshot.
@@ -365,7 +242,7 @@ class DriftMaker {
   }
 
   void add_overshoot(std::size_t i, double ground, Hull& cone) const {
-    const Vec3 beyond = at(i) + overshoot(i);
+    const Vec3 beyond = at(i) + way_.overshoot(i);
     cone.push_back(beyond);
     cone.push_back({beyond.x(), beyond.y(), std::max(ground, at(i).z() - pilot_.fall / 3)});
   }
@@ -375,22 +252,22 @@ class DriftMaker {
     const std::size_t last = task_.path.size() - 1;
     const Vec3& above = at(last);
     const double ground = *task_.ends.landing_on;
-    const Motion motion = along(last, last + 1);
+    const Motion motion = way_.along(last, last + 1);
     add_to_ground({above, {above.x(), above.y(), ground}}, task_.landing, ground, motion);
     if (last == 0) return;
-    const bool moves = task_.legs[last].manoeuvre == Manoeuvre::landing || returns(last);
+    const bool moves = task_.legs[last].manoeuvre == Manoeuvre::landing || way_.returns(last);
     const bool rests = !moves && task_.turns[last].kind == Turn::rest;
     const Vec3& before = rests ? above : at(last - 1);
-    Hull cone = returns(last) ? returned(above, before, radius(last), ground, ground)
-                              : sinking(above, before, radius(last), ground);
+    Hull cone = way_.returns(last) ? returned(above, before, way_.radius(last), ground, ground)
+                                   : sinking(above, before, way_.radius(last), ground);
     add_overshoot(last, ground, cone);
     add_to_ground(std::move(cone), task_.landing, ground, motion);
-    if (!returns(last) || last < 2 || at(last - 2).z() >= above.z()) return;
+    if (!way_.returns(last) || last < 2 || at(last - 2).z() >= above.z()) return;
     // Within the cone of returns it comes back as low as it was.
     const double low = at(last - 2).z();
     const Vec3 home(above.x(), above.y(), low);
     const Vec3 from(at(last - 1).x(), at(last - 1).y(), low);
-    add_to_ground(returned(home, from, radius(last), ground, ground), task_.landing, ground);
+    add_to_ground(returned(home, from, way_.radius(last), ground, ground), task_.landing, ground);
   }
 
   // As `sinking`; the landing of a return may first go aslant to a height above `place`.
@@ -412,17 +289,15 @@ class DriftMaker {
     return cone;
   }
 
-  bool returns(std::size_t i) const { return task_.legs[i].manoeuvre == Manoeuvre::return_home; }
-
   // A return begins where the stop before it ended, and goes up and across from there. At a rally
   // point it sinks as it does at home.
   void return_home() {
     const std::size_t last = task_.path.size() - 1;
-    if (last < 1 || !returns(last)) return;
-    const bool climbs = last > 1 && returns(last - 1);  // else it is as high as home asks for
+    if (last < 1 || !way_.returns(last)) return;
+    const bool climbs = last > 1 && way_.returns(last - 1);  // else it is as high as home asks for
     const std::size_t stop = climbs ? last - 2 : last - 1;
     const Vec3& top = at(last - 1);
-    const Vec3 beyond = overshoot(stop);
+    const Vec3 beyond = way_.overshoot(stop);
     if (climbs) climb_home(at(stop), top, beyond);
     for (const Vec3& rally : task_.rally) return_to(rally, at(stop), top, beyond);
   }
@@ -469,7 +344,8 @@ class DriftMaker {
     const Vec3 way = level(above - from);
     const double length = way.norm();
     if (length > 0) {
-      const double past = pilot_.overshoot_time * speed(task_.path.size() - 1) + pilot_.overshoot;
+      const double past =
+          pilot_.overshoot_time * way_.speed(task_.path.size() - 1) + pilot_.overshoot;
       cone.push_back(above + way * (past / length));
     }
     add_to_ground(std::move(cone), part, ground);
@@ -479,12 +355,13 @@ class DriftMaker {
   void end() {
     const std::size_t last = task_.path.size() - 1;
     if (last == 0) return;
-    add({at(last), at(last) + overshoot(last)}, {task_.legs[last].item, Manoeuvre::overshoot},
-        along(last, last));
+    add({at(last), at(last) + way_.overshoot(last)}, {task_.legs[last].item, Manoeuvre::overshoot},
+        way_.along(last, last));
   }
 
   const Autopilot& pilot_;
   const DriftTask& task_;
+  DriftWay way_;
   std::vector<Sweep> out_;
 };
 
