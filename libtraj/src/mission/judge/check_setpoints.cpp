@@ -79,7 +79,7 @@ class SetpointCheck {
     if (!extreme || sure > extreme->value) extreme = {sure, time_};
     const std::optional<double>& most = limits_[limit];
     if (most && sure > *most * (1 + kFileSlack)) {
-      refuse(result_, broken(limit), time_, place_, sure);
+      refuse(result_, broken(limit), {sure, time_, place_});
     }
   }
 

@@ -45,7 +45,7 @@ void check_legs(const geom::Polyline& way, const FlownLegs& flown, const Limits&
       if (value > extreme->value) extreme = {value, index};
       const std::optional<double>& most = limits[limit];
       if (most && value > *most * (1 + kFileSlack)) {
-        refuse(result, broken(limit), index, way[i - 1], value);
+        refuse(result, broken(limit), {value, index, way[i - 1]});
       }
     };
     hold(Limit::speed, speed);
@@ -64,12 +64,13 @@ void check_envelope(const FlownLegs& flown, CheckResult& result) {
     const double leg = static_cast<double>(i + ascent) - 1;
     const double height = p.z() - home.z();
     const double away = (p - home).norm();
-    if (height > envelope.ceiling) refuse(result, Reason::ceiling, std::max(leg, 0.0), p, height);
-    if (away > envelope.range) refuse(result, Reason::range, std::max(leg, 0.0), p, away);
+    if (height > envelope.ceiling) refuse(result, Reason::ceiling, {height, std::max(leg, 0.0), p});
+    if (away > envelope.range) refuse(result, Reason::range, {away, std::max(leg, 0.0), p});
   }
   if (flown.airborne > envelope.endurance) {
-    refuse(result, Reason::endurance, static_cast<double>(flown.path.size() - 1 + ascent),
-           flown.path.back(), flown.airborne);
+    refuse(
+        result, Reason::endurance,
+        {flown.airborne, static_cast<double>(flown.path.size() - 1 + ascent), flown.path.back()});
   }
 }
 
@@ -105,7 +106,7 @@ class LegsCheck {
     if (legs_.speed) check_legs(*way, legs_, limits, result);
     if (legs_.envelope) check_envelope(legs_, result);
     if (mission_ && mission_->returns) {
-      refuse(result, Reason::return_home, static_cast<double>(way->size()) - 1, way->back(), 0);
+      refuse(result, Reason::return_home, {0, static_cast<double>(way->size()) - 1, way->back()});
     }
     result.duration = legs_.airborne;
     return result;
@@ -124,7 +125,7 @@ class LegsCheck {
   CheckResult refused_takeoff() const {
     CheckResult result;
     const Vec3& first = legs_.path.front();
-    refuse(result, Reason::takeoff, 0, first, first.z() - *legs_.ends.takeoff_from);
+    refuse(result, Reason::takeoff, {first.z() - *legs_.ends.takeoff_from, 0, first});
     result.looked = true;
     result.part = part_of(0);
     return result;
@@ -170,7 +171,7 @@ class LegsCheck {
     const Vec3 low(rally.x(), rally.y(), ground.height + half.z() + kStanding);
     const bool clear = low.z() > rally.z() || !scene_.hits(rally, low);
     if (clear && ground.whole && std::abs(ground.height - home) <= kLevel) return;
-    refuse(result, reason, static_cast<double>(parts()) - 1, foot, ground.height - home);
+    refuse(result, reason, {ground.height - home, static_cast<double>(parts()) - 1, foot});
   }
 
   // Where the vehicle stands before its flight, and the file counts heights from; nothing where the
@@ -196,7 +197,7 @@ class LegsCheck {
     const double high = place->z() - landing_ground(scene_, above, beside(), kLevel).height;
     if (std::abs(high) <= kLevel) return;
     if (result.reason == Reason::none) result.part = part_of(0);
-    refuse(result, Reason::takeoff_ground, 0, *place, high);
+    refuse(result, Reason::takeoff_ground, {high, 0, *place});
     result.looked = true;
   }
 
@@ -211,8 +212,10 @@ class LegsCheck {
     if (result.reason == Reason::none && mission_) {
       result.part = FlightPart{parts() == 0 ? 0 : mission_->legs.back().item, Manoeuvre::landing};
     }
-    refuse(result, Reason::landing, static_cast<double>(way.size()) - 1,
-           {above.x(), above.y(), ground.height}, said - ground.height);
+    refuse(result, Reason::landing,
+           {said - ground.height,
+            static_cast<double>(way.size()) - 1,
+            {above.x(), above.y(), ground.height}});
     result.looked = true;
   }
 
