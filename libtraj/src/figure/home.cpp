@@ -8,6 +8,7 @@
 #include "geom/text/counted.h"
 #include "geom/text/excerpt.h"
 #include "home_band.h"
+#include "record/return_verdict.h"
 #include "shapes.h"
 
 namespace traj::figure {
@@ -24,13 +25,6 @@ constexpr double kRow = 26;
 constexpr double kAxis = 76;  // below the bands: its words, and the note of the next panel
 constexpr double kLine = 19;
 constexpr std::size_t kMostReasons = 14;
-
-std::string_view phase_words(std::string_view phase) {
-  if (phase == "way") return "on its way home";
-  if (phase == "climb") return "while it climbs";
-  if (phase == "descent") return "while it sinks";
-  return phase == "braking" ? "while it brakes" : "where it lands";
-}
 
 std::string met_words(const ReturnGapSummary& gap) {
   if (gap.reason == "collision") {
@@ -50,7 +44,7 @@ std::string gap_words(const ReturnGapSummary& gap) {
   if (gap.item) {
     out += fmt::format(", item {}{}", *gap.item, gap.part.empty() ? "" : " (" + gap.part + ")");
   }
-  out += fmt::format(": {} {}", phase_words(gap.phase), met_words(gap));
+  out += fmt::format(": {} {}", phase_in_words(gap.phase), met_words(gap));
   return gap.autopilot.empty() ? out : out + fmt::format(" ({})", geom::excerpt(gap.autopilot));
 }
 

@@ -8,6 +8,7 @@
 #include "geom/base/usage_error.h"
 #include "mission/prove.h"
 #include "mission/refusal.h"
+#include "record/fault_verdict.h"
 #include "traj/curve/to_enu.h"
 #include "traj/curve/vertical_ends.h"
 #include "traj/mission/dji/dji_mission.h"
@@ -24,7 +25,7 @@ using Warnings = std::vector<std::string>;
 void warn_of_unmeasured(const MissionTask& task, const CheckResult& result, Warnings& warnings) {
   std::vector<std::string> missing;
   for (const Limit limit : not_measured(result, task.limits)) {
-    missing.push_back(in_words(kind_of(limit).quantity));
+    missing.push_back(spoken(kind_of(limit).quantity));
   }
   if (missing.empty()) return;
   warnings.push_back(fmt::format("{}: a {} file sets no limit on {}: set it in the vehicle itself",

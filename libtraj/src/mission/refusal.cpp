@@ -9,13 +9,6 @@
 #include "traj/record/verdict.h"
 
 namespace traj {
-
-std::string in_words(std::string_view quantity) {
-  std::string out(quantity);
-  std::replace(out.begin(), out.end(), '_', ' ');
-  return out;
-}
-
 namespace {
 
 // What it touched, where that is in the map for a time only.

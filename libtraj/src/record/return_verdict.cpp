@@ -8,14 +8,14 @@
 #include "traj/record/verdict.h"
 
 namespace traj {
-namespace {
-
 std::string_view phase_in_words(std::string_view phase) {
   if (phase == "way") return "on its way home";
   if (phase == "climb") return "while it climbs";
   if (phase == "descent") return "while it sinks";
   return phase == "braking" ? "while it brakes" : "where it lands";
 }
+
+namespace {
 
 std::string met_in_words(const ReturnGap& gap, const geom::BoxMap& map) {
   const Vec3& p = gap.place;
