@@ -71,10 +71,6 @@ Limits physical_limits(const Airframe& airframe) {
   return limits;
 }
 
-}  // namespace
-
-namespace {
-
 std::optional<geom::Vec2> stated_navigation(const JsonFields& fields) {
   if (!fields.has("navigation_m")) return std::nullopt;
   const nlohmann::json& value = fields.value("navigation_m");

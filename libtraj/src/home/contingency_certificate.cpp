@@ -41,19 +41,19 @@ std::string names_of(std::span<const ReturnModel> models) {
 
 }  // namespace
 
-std::string contingency_certificate_line(const geom::CollisionScene& scene, const std::string& id,
-                                         std::string_view of, std::span<const FlightStage> stages,
-                                         std::span<const ProvedWay> ways,
+std::string contingency_certificate_line(const geom::CollisionScene& scene,
+                                         const HomeFlight& flight, std::span<const ProvedWay> ways,
                                          const ContingencyRules& rules) {
   const geom::Aabb& bounds = scene.map().spec().bounds;
   const Vec3 half = scene.vehicle().half + Vec3::Constant(scene.margin() + kClear);
   JsonLine line;
-  line.add("type", "contingencies").add("id", id).add("of", of);
+  line.add("type", "contingencies").add("id", flight.id).add("of", flight.kind);
   add(line, geom::provenance_of(scene));
   line.add("bounds", std::tuple(bounds.min, bounds.max)).add("half", half);
   line.add("autopilot", names_of(rules.models));
   line.add("overshoot", WayRoom(scene, rules.models).overshoot());
   if (rules.energy) line.add("flying_time", flying_time(*rules.energy));
+  const std::vector<FlightStage>& stages = flight.stages;
   line.add("duration", stages.empty() ? 0.0 : stages.back().until - stages.front().from);
   line.add("ways", ways, [](const ProvedWay& one) { return object_of(one); });
   return line.line();

@@ -49,8 +49,7 @@ CheckedContingencies FlightContingencies::check(const geom::CollisionScene& scen
   const ExactTask task{scene.map(), scene.vehicle(), scene.margin()};
   out.report.exact = check_exactly(task, flight.stages, ways);
   if (!proof.certificate || !out.report.exact->ok) return out;
-  out.certificate =
-      contingency_certificate_line(scene, flight.id, flight.kind, flight.stages, ways, rules_);
+  out.certificate = contingency_certificate_line(scene, flight, ways, rules_);
   return out;
 }
 

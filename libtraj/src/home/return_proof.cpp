@@ -412,10 +412,6 @@ ReturnReport prove(const geom::CollisionScene& scene,
   return proof;
 }
 
-}  // namespace
-
-namespace {
-
 // The greatest return height that the bounds allow, m above home; below 0: none.
 double room_above(const geom::CollisionScene& scene, const ReturnTask& task) {
   if (!scene.free_bounds()) return -1;

@@ -40,15 +40,6 @@ ReturnGapSummary gap_of(const geom::JsonFields& fields) {
   return gap;
 }
 
-// The objects of a list, each read by `read`.
-template <class Read>
-void for_each(const geom::JsonFields& fields, const char* key, std::string_view source,
-              std::size_t line, const Read& read) {
-  const nlohmann::json& list = fields.value(key);
-  if (!list.is_array()) fields.refuse({.key = key, .expected = "a list", .found = list.dump()});
-  for (const nlohmann::json& one : list) read(geom::JsonFields(one.dump(), source, line));
-}
-
 // The time that gaps leave, of the flight's.
 double share_without(const std::vector<ReturnGapSummary>& gaps, double duration) {
   if (!(duration > 0)) return gaps.empty() ? 1 : 0;
@@ -89,6 +80,11 @@ void require_ascending_timeline(const geom::JsonFields& fields, const ReturnSumm
 ReturnSummary parse_return_summary(std::string_view json, std::string_view source,
                                    std::size_t line) {
   const geom::JsonFields fields(json, source, line);
+  const auto for_each = [&](const char* key, const auto& read) {
+    const nlohmann::json& list = fields.value(key);
+    if (!list.is_array()) fields.refuse({.key = key, .expected = "a list", .found = list.dump()});
+    for (const nlohmann::json& one : list) read(geom::JsonFields(one.dump(), source, line));
+  };
   ReturnSummary out;
   out.action = fields.text("action");
   out.autopilot = fields.text("autopilot", "");
@@ -99,11 +95,10 @@ ReturnSummary parse_return_summary(std::string_view json, std::string_view sourc
   out.least_height = fields.number("least_height");
   out.best_height = fields.number("best_height");
   out.best_share = fields.number("best_share");
-  for_each(fields, "gaps", source, line,
-           [&](const geom::JsonFields& gap) { out.gaps.push_back(gap_of(gap)); });
+  for_each("gaps", [&](const geom::JsonFields& gap) { out.gaps.push_back(gap_of(gap)); });
   require_ascending(fields, out);
   if (fields.has("timeline")) {
-    for_each(fields, "timeline", source, line, [&](const geom::JsonFields& one) {
+    for_each("timeline", [&](const geom::JsonFields& one) {
       out.timeline.push_back({at_least_zero(one, "time"), one.point("at")});
     });
     require_ascending_timeline(fields, out);

@@ -104,6 +104,8 @@ class Way {
     return path == path_ ? Corridor() : corridor_along(kind_, scene_, path);
   }
 
+  const geom::CollisionScene& scene() const { return scene_; }
+
  private:
   CorridorKind kind_;
   const geom::CollisionScene& scene_;
@@ -115,7 +117,6 @@ class Way {
 // each round: from the last result it would stay beside the obstacle it had just hit. Where Ipopt
 // may follow, the other optimiser gives up as soon as it does not settle.
 std::optional<Trajectory> optimised_in(const Way& way, Optimizer optimizer,
-                                       const geom::CollisionScene& scene,
                                        const SolveOptions& options, SolveResult& result) {
   Corridor corridor = way.corridor();
   if (corridor.empty()) return std::nullopt;
@@ -144,9 +145,9 @@ std::optional<Trajectory> optimised_in(const Way& way, Optimizer optimizer,
     if (ipopt_follows && !round.settled) return std::nullopt;
     const Trajectory curve =
         slowed(round.trajectory, smallest_factor(round.trajectory, options.limits));
-    if (proved(scene, curve, options.limits, result)) return curve;
+    if (proved(way.scene(), curve, options.limits, result)) return curve;
     if (result.rounds == most) return std::nullopt;
-    if (add_planes_met(scene, curve, corridor) == 0 && !round.cruises) return std::nullopt;
+    if (add_planes_met(way.scene(), curve, corridor) == 0 && !round.cruises) return std::nullopt;
     cruise = false;
   }
 }
@@ -173,7 +174,7 @@ bool optimised(const geom::CollisionScene& scene, const geom::Polyline& path,
   const auto other = boxes ? CorridorKind::planes : CorridorKind::boxes;
   for (const Optimizer optimizer : optimizers(options.solver)) {
     for (const CorridorKind kind : {options.corridor, other}) {
-      const auto curve = optimised_in(Way(kind, scene, path), optimizer, scene, options, result);
+      const auto curve = optimised_in(Way(kind, scene, path), optimizer, options, result);
       if (!curve || duration(*curve) > most) continue;
       accept(*curve, optimizer == Optimizer::banded ? Rung::banded : Rung::ipopt, result);
       return true;

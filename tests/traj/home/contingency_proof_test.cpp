@@ -127,8 +127,9 @@ TEST(CheckContingenciesExactly, AcceptsEveryRandomPlanAndNoBoxPutIntoIt) {
 TEST(ContingencyCertificate, SaysWhatItStandsOn) {
   Case c;
   c.rules.energy = Energy{.capacity = 1e6, .power = 100};
-  const auto line = nlohmann::json::parse(
-      contingency_certificate_line(c.scene, "q1", "path", c.stages, c.ways, c.rules));
+  const HomeFlight flight{.id = "q1", .provenance = {}, .stages = c.stages, .kind = "path"};
+  const auto line =
+      nlohmann::json::parse(contingency_certificate_line(c.scene, flight, c.ways, c.rules));
   EXPECT_EQ(line["type"], "contingencies");
   EXPECT_EQ(line["flying_time"], 1e4);
   EXPECT_EQ(line["autopilot"], "plain");

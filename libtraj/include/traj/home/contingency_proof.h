@@ -19,6 +19,7 @@
 #include "traj/home/check_contingencies.h"
 #include "traj/home/contingency_record.h"
 #include "traj/home/flight_stage.h"
+#include "traj/home/home_flight.h"
 #include "traj/home/prism.h"
 #include "traj/proof/exact/exact_check.h"
 
@@ -56,11 +57,9 @@ std::vector<ProvedWay> proved_ways(const geom::CollisionScene& scene,
 ExactResult check_exactly(const ExactTask& task, std::span<const FlightStage> stages,
                           std::span<const ProvedWay> ways);
 
-// One JSON object, "type":"contingencies", with a newline: docs/certificates.md. `of`: "trajectory"
-// or "path".
-std::string contingency_certificate_line(const geom::CollisionScene& scene, const std::string& id,
-                                         std::string_view of, std::span<const FlightStage> stages,
-                                         std::span<const ProvedWay> ways,
+// One JSON object, "type":"contingencies", with a newline: docs/certificates.md.
+std::string contingency_certificate_line(const geom::CollisionScene& scene,
+                                         const HomeFlight& flight, std::span<const ProvedWay> ways,
                                          const ContingencyRules& rules);
 
 }  // namespace traj
