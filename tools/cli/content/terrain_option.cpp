@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 
 #include "cli/option/ground_option.h"
 #include "cli/option/numbers_option.h"

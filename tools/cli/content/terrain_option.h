@@ -5,7 +5,6 @@
 
 #include <CLI/CLI.hpp>
 #include <optional>
-#include <span>
 #include <string>
 
 #include "geom/map/ground_model.h"

@@ -2,7 +2,6 @@
 
 // --origin: a place on Earth.
 
-#include <optional>
 #include <string_view>
 
 #include "geom/map/frame.h"

@@ -40,6 +40,41 @@ geom::Vec3 wind_from(const std::string& text) {
       fmt::format("--wind: expected east,north,up in m/s within 100, found \"{}\"", text));
 }
 
+using Simulated = SimulatedVehicleOptions;
+
+// What a proof allows for beside the flight that is simulated.
+constexpr struct {
+  const char* flag;
+  double Simulated::*value;
+  double least;
+  double most;
+  const char* what;
+} kAllowances[] = {
+    {"--wind-spread", &Simulated::wind_spread, 0.0, 50.0,
+     "the mean wind is within this of --wind, m/s (default: 0)"},
+    {"--gust-most", &Simulated::gust_most, 0.0, 50.0,
+     "what gusts run towards is at most this, m/s (default: 0)"},
+    {"--gust-lag", &Simulated::gust_lag, 0.01, 1000.0,
+     "the time constant of gusts, s (default: 1)"},
+    {"--start-error", &Simulated::start_error, 0.0, 100.0,
+     "when it begins to hover, the vehicle is within this of the first point, m (default: 0)"},
+    {"--start-speed", &Simulated::start_speed, 0.0, 50.0,
+     "when it begins to hover, the vehicle is at most this fast, m/s (default: 0)"},
+    {"--drag-error", &Simulated::drag_error, 0.0, 0.5,
+     "the drag is within this share of the profile's (default: 0)"},
+    {"--motor-lag-error", &Simulated::motor_lag_error, 0.0, 0.5,
+     "the motors' time constant is within this share of the profile's (default: 0)"},
+    {"--inertia-error", &Simulated::inertia_error, 0.0, 0.5,
+     "the inertia about each axis is within this share of the profile's (default: 0)"},
+    {"--gain-error", &Simulated::gain_error, 0.0, 0.5,
+     "each gain is within this share of what it should be (default: 0)"},
+};
+
+void refuse_idle_allowances(const CLI::App& app, bool apply, std::string_view to_what) {
+  for (const auto& one : kAllowances) only_for(app, apply, {one.flag}, to_what);
+  only_for(app, apply, {"--noise-most"}, to_what);
+}
+
 }  // namespace
 
 traj::SensorSpec sensors_from(const char* flag, const std::string& text) {
@@ -88,38 +123,10 @@ void SimulatedVehicleOptions::add_to(CLI::App& app) {
       ->check(CLI::Range(0.0, 600.0));
   app.add_option("--settle", settle, "hovering after the end, s (default: 3)")
       ->check(CLI::Range(0.0, 600.0));
-  app.add_option("--wind-spread", wind_spread,
-                 "with --proved-tube: the mean wind is within this of --wind, m/s (default: 0)")
-      ->check(CLI::Range(0.0, 50.0));
-  app.add_option("--gust-most", gust_most,
-                 "with --proved-tube: what gusts run towards is at most this, m/s (default: 0)")
-      ->check(CLI::Range(0.0, 50.0));
-  app.add_option("--gust-lag", gust_lag,
-                 "with --proved-tube: the time constant of gusts, s (default: 1)")
-      ->check(CLI::Range(0.01, 1000.0));
-  app.add_option("--start-error", start_error,
-                 "with --proved-tube: when it begins to hover, the vehicle is within this of the "
-                 "first point, m (default: 0)")
-      ->check(CLI::Range(0.0, 100.0));
-  app.add_option("--start-speed", start_speed,
-                 "with --proved-tube: when it begins to hover, the vehicle is at most this fast, "
-                 "m/s (default: 0)")
-      ->check(CLI::Range(0.0, 50.0));
-  app.add_option("--drag-error", drag_error,
-                 "with --proved-tube: the drag is within this share of the profile's (default: 0)")
-      ->check(CLI::Range(0.0, 0.5));
-  app.add_option("--motor-lag-error", motor_lag_error,
-                 "with --proved-tube: the motors' time constant is within this share of the "
-                 "profile's (default: 0)")
-      ->check(CLI::Range(0.0, 0.5));
-  app.add_option("--inertia-error", inertia_error,
-                 "with --proved-tube: the inertia about each axis is within this share of the "
-                 "profile's (default: 0)")
-      ->check(CLI::Range(0.0, 0.5));
-  app.add_option("--gain-error", gain_error,
-                 "with --proved-tube: each gain is within this share of what it should be "
-                 "(default: 0)")
-      ->check(CLI::Range(0.0, 0.5));
+  for (const auto& one : kAllowances) {
+    app.add_option(one.flag, this->*one.value, std::string("with --proved-tube: ") + one.what)
+        ->check(CLI::Range(one.least, one.most));
+  }
   app.add_option("--noise-most", noise_most,
                  "with --proved-tube: each reading of position, velocity, attitude and body rates "
                  "is off by at most this along each axis: metres, m/s, degrees, degrees/s")
@@ -130,17 +137,13 @@ void SimulatedVehicleOptions::refuse_idle(const CLI::App& app, bool flies,
                                           std::string_view to_what) {
   only_for(app, flies,
            {"--gains", "--feed-forward", "--controller", "--loop-period", "--wind", "--mass-error",
-            "--hover-time", "--settle", "--wind-spread", "--gust-most", "--gust-lag",
-            "--start-error", "--start-speed", "--drag-error", "--motor-lag-error",
-            "--inertia-error", "--gain-error", "--noise-most"},
+            "--hover-time", "--settle"},
            to_what);
+  refuse_idle_allowances(app, flies, to_what);
 }
 
 void SimulatedVehicleOptions::refuse_idle_disturbances(const CLI::App& app, bool proves) {
-  only_for(app, proves,
-           {"--wind-spread", "--gust-most", "--gust-lag", "--start-error", "--start-speed",
-            "--drag-error", "--motor-lag-error", "--inertia-error", "--gain-error", "--noise-most"},
-           "--proved-tube");
+  refuse_idle_allowances(app, proves, "--proved-tube");
 }
 
 traj::FlightOptions SimulatedVehicleOptions::flight(const traj::VehicleProfile& profile) const {
