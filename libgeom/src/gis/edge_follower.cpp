@@ -14,13 +14,6 @@ bool is_before(const Vec2& a, const Vec2& b) {
   return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
 }
 
-double distance_to_chord(const Vec2& p, const Vec2& a, const Vec2& b) {
-  const Vec2 step = b - a;
-  const double squared = step.squaredNorm();
-  const double t = squared > 0 ? std::clamp((p - a).dot(step) / squared, 0.0, 1.0) : 0;
-  return (a + t * step - p).norm();
-}
-
 // Calls f(ring, number of its first corner).
 template <class F>
 void for_each_ring(Footprint& footprint, const F& f) {
@@ -35,6 +28,13 @@ void for_each_ring(Footprint& footprint, const F& f) {
 }
 
 }  // namespace
+
+double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 step = b - a;
+  const double squared = step.squaredNorm();
+  const double t = squared > 0 ? std::clamp((p - a).dot(step) / squared, 0.0, 1.0) : 0;
+  return (a + t * step - p).norm();
+}
 
 void EdgeFollower::take(Footprint& footprint, std::span<const Vec2> source) {
   if (projector_.frame().crs.empty()) return;  // the source is in metres of the map
@@ -88,7 +88,7 @@ void EdgeFollower::settle(Edge& edge, std::span<const Vec2> points) {
   for (std::size_t i = 0; i < edge.pieces; ++i) {
     const Vec2& b = i + 1 < edge.pieces ? points[3 * i + 2] : edge.b;
     for (const Vec2& p : points.subspan(3 * i, 2)) {
-      furthest = std::max(furthest, distance_to_chord(p, a, b) / 0.7);
+      furthest = std::max(furthest, distance_to_segment(p, a, b) / 0.7);
     }
     if (i + 1 < edge.pieces) ends.push_back(b);
     a = b;

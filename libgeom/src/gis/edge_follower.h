@@ -55,4 +55,6 @@ class EdgeFollower {
   std::vector<Edge> edges_;
 };
 
+double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b);
+
 }  // namespace geom::gis

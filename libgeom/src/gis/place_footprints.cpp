@@ -27,13 +27,6 @@ struct Reach {
   }
 };
 
-double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
-  const Vec2 step = b - a;
-  const double squared = step.squaredNorm();
-  const double t = squared > 0 ? std::clamp((p - a).dot(step) / squared, 0.0, 1.0) : 0;
-  return (a + t * step - p).norm();
-}
-
 // How far corners are from the straight sides between those at `ends`, the first of which is 0.
 double bulge_of(std::span<const Vec2> ring, const std::array<std::size_t, 4>& ends) {
   double bulge = 0;

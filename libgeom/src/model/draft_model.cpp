@@ -60,7 +60,8 @@ Place local_place(Model& model, const ModelDraftOptions& options) {
 
 // Boxes in the units of the model.
 TriangleCover covered(const Model& model, const ModelDraftOptions& options, const Place& place,
-                      double scale, const std::string& source, const Execution& run) {
+                      const std::string& source, const Execution& run) {
+  const double scale = options.map.scale * place.unit;
   TriangleCoverOptions cover;
   cover.fill = options.solid ? SolidFill::inside : SolidFill::none;
   // A vertex may be off by so much along each axis, and boxes grow by as much: so far over a
@@ -118,8 +119,7 @@ std::vector<Fact> facts_of(const ModelSource& source, const TriangleCover& made,
   return facts;
 }
 
-void tell_made(const ModelSource& source, const TriangleCover& made, bool solid,
-               const std::string& name, const Notes& notes) {
+std::string in_words(const ModelSource& source, const TriangleCover& made, bool solid) {
   std::string line = counted(source.model.mesh.triangles.size(), "triangle", "triangles");
   if (source.tiles) {
     line += " of " + counted(*source.tiles, "tile", "tiles");
@@ -135,7 +135,7 @@ void tell_made(const ModelSource& source, const TriangleCover& made, bool solid,
     line += fmt::format("; filled: {}", counted(made.closed, "surface", "surfaces"));
     if (made.open > 0) line += fmt::format("; not closed, a shell only: {}", made.open);
   }
-  notes.remark(name + ": " + line);
+  return line;
 }
 
 HistoryStep step_of(const ModelSource& source, const ModelDraftOptions& options, double unit) {
@@ -172,9 +172,9 @@ MapDraft draft_model(ModelSource model, const std::string& source, const ModelDr
   draft.frame = place.frame;
   draft.options = options.map;
   draft.options.scale *= place.unit;
-  TriangleCover made = covered(model.model, options, place, draft.options.scale, source, run);
+  TriangleCover made = covered(model.model, options, place, source, run);
   draft.facts = facts_of(model, made, options.solid);
-  tell_made(model, made, options.solid, source, notes);
+  notes.remark(source + ": " + in_words(model, made, options.solid));
   draft.history = history_of(step);
   draft.table = table_of(std::move(made), model.model.parts);
   return draft;
