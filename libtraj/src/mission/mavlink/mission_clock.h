@@ -3,6 +3,7 @@
 // How long a mission takes at least: an estimate. It counts every leg, hold and turn that is flown,
 // and not what speeding up costs; mission_time() counts that, of waypoints alone.
 
+#include <algorithm>
 #include <span>
 
 #include "traj/mission/firmware/autopilot.h"
@@ -17,6 +18,9 @@ class MissionClock {
   // m/s, from here on.
   void say_speed(double speed) { speed_ = speed; }
   void say_no_speed() { speed_ = own_speed_; }
+  // At that speed (at its own), or at the one before.
+  void may_go_at(double speed) { speed_ = std::min(speed_, speed); }
+  void may_go_at_own() { may_go_at(own_speed_); }
   void say_climb(double speed) { climb_ = speed; }
   void say_descent(double speed) { descent_ = speed; }
 

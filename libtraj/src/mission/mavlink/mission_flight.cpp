@@ -32,6 +32,12 @@ bool moves_nothing(const MissionItem& item) {
   return std::find(std::begin(all), std::end(all), item.param[0]) != std::end(all);
 }
 
+// ArduPilot (AP_Mission::update) runs what follows such an item when its condition is met, or never
+// if it comes to the next place before.
+bool is_condition(int command) {
+  return command == kConditionDelay || command == kConditionDistance || command == kConditionYaw;
+}
+
 // The path and regions of a flight, while it is being flown.
 class Flight {
  public:
@@ -166,9 +172,11 @@ class Flight {
   void take(const MissionItem& item) {
     if (moves_nothing(item)) {
       ++flown_.idle_items;
+      if (is_condition(item.command)) speeds_.begin_condition();
       return;
     }
     last_ = item.number;
+    if (item.command != kSpeed) speeds_.end_condition();
     if (flown_.ended) {
       refuse(
           {.expected =
@@ -388,12 +396,15 @@ class Flight {
     }
   }
 
-  // So long, or (0 or -1) to a time of day.
+  // So long. ArduPilot (ModeAuto::do_nav_delay) takes what is not above 0 for a time of day, which
+  // the other parameters say.
   void wait(const MissionItem& item) {
     if (path().empty()) return;
-    if (item.param[0] == -1) {
+    const bool ardupilot = !flown_by(Firmware::px4, rules_);
+    if (item.param[0] == -1 || (ardupilot && !(item.param[0] > 0))) {
       flown_.endless = "it waits until a time of day";
-    } else {
+    }
+    if (item.param[0] != -1) {
       track_.stay(hold_of(item));
       clock_.wait(hold_of(item));
     }
@@ -404,7 +415,7 @@ class Flight {
 
   void finish_track() {
     const double speed = track_.most_speed(rules_.speed.value_or(kUnsaidSpeed));
-    const std::vector<Autopilot> autopilots = speeds_.as_set(rules_);
+    const std::vector<Autopilot> autopilots = speeds_.as_set();
     for (const Autopilot& one : autopilots) {
       flown_.climb = std::max(flown_.climb, one.climb);
       flown_.descent = std::max(flown_.descent, one.descent);
@@ -441,7 +452,7 @@ class Flight {
   std::size_t next_ = 0;  // into the order
   const MissionItem* item_ = nullptr;
   std::size_t last_ = 0;  // that moves something
-  MissionSpeeds speeds_;
+  MissionSpeeds speeds_{rules_};
   FlownTrack track_;
   MissionClock clock_{rules_.autopilots};
   FlownMavlink flown_;  // the track's parts when it is finished

@@ -1,37 +1,62 @@
 #include "mission_speeds.h"
 
 #include <algorithm>
+#include <iterator>
+
+#include "mission_autopilots.h"
 
 namespace traj {
 
-// -1: as it is; other values that are no speed: the vehicle's own, which the file does not say.
+// PX4 (Navigator::run) takes a speed of any type for that along the legs, and what is none for its
+// own. ArduPilot (ModeAuto::do_change_speed) obeys the types, and passes over what is no speed.
 void MissionSpeeds::take(const MissionItem& item, FlownTrack& track, MissionClock& clock) {
-  constexpr double kClimb = 2;  // the types of rates of climb and descent
+  constexpr double kLevel[] = {0, 1};  // the types of speeds through the air and over ground
+  constexpr double kClimb = 2;
   constexpr double kDescent = 3;
+  const double type = item.param[0];
   const double speed = item.param[1];
-  if (item.param[0] == kClimb && speed > 0) {
+  const bool px4 = !flown_by(Firmware::ardupilot, rules_);
+  const bool ardupilot = !flown_by(Firmware::px4, rules_);
+  if (!(speed > 0)) {
+    if (px4 && ardupilot) {
+      track.may_fly_at_own(own());
+      clock.may_go_at_own();
+    } else if (px4) {
+      track.say_no_speed();
+      clock.say_no_speed();
+    }
+    return;
+  }
+  if (type == kClimb) {
     most_climb_ = std::max(most_climb_, speed);
     clock.say_climb(speed);
   }
-  if (item.param[0] == kDescent && speed > 0) {
+  if (type == kDescent) {
     most_descent_ = std::max(most_descent_, speed);
     clock.say_descent(speed);
   }
-  if (item.param[0] == kClimb || item.param[0] == kDescent) return;
-  if (speed > 0) {
+  const bool level = std::find(std::begin(kLevel), std::end(kLevel), type) != std::end(kLevel);
+  if (level ? !waits_ || !ardupilot : !ardupilot) {
     track.say_speed(speed);
     clock.say_speed(speed);
-  } else if (speed != -1) {
-    track.say_no_speed();
-    clock.say_no_speed();
+  } else if (level || px4) {
+    track.may_fly_at(speed, own());
+    clock.may_go_at(speed);
   }
 }
 
-std::vector<Autopilot> MissionSpeeds::as_set(const MissionRules& rules) const {
-  std::vector<Autopilot> out = rules.autopilots;
+double MissionSpeeds::own() const {
+  if (rules_.speed) return *rules_.speed;
+  double most = rules_.autopilots.empty() ? kUnsaidSpeed : 0;
+  for (const Autopilot& one : rules_.autopilots) most = std::max(most, one.speed);
+  return most;
+}
+
+std::vector<Autopilot> MissionSpeeds::as_set() const {
+  std::vector<Autopilot> out = rules_.autopilots;
   for (Autopilot& one : out) {
-    if (one.heeds_item_radius) one.acceptance = rules.acceptance.value_or(one.acceptance);
-    one.speed = rules.speed.value_or(one.speed);
+    if (one.heeds_item_radius) one.acceptance = rules_.acceptance.value_or(one.acceptance);
+    one.speed = rules_.speed.value_or(one.speed);
     one.climb = std::max(one.climb, most_climb_);
     one.descent = std::max(one.descent, most_descent_);
   }

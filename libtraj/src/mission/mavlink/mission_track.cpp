@@ -7,7 +7,7 @@
 namespace traj {
 
 void FlownTrack::go(const Vec3& p, double hold, const FlightPart& part, Turn turn) {
-  if (!path_.empty() && p != path_.back()) unsaid_speed_ = unsaid_speed_ || !speed_;
+  if (!path_.empty() && p != path_.back()) unsaid_speed_ = unsaid_speed_ || own_;
   if (!leaving_.empty()) {
     Hull hull = std::exchange(leaving_, {});
     if (turn.radius > 0) turn.from = hull;
@@ -61,6 +61,17 @@ Hull FlownTrack::from_where() {
 void FlownTrack::say_speed(double speed) {
   speed_ = std::max(speed_.value_or(0), speed);
   now_ = speed;
+  own_ = false;
+}
+
+void FlownTrack::may_fly_at(double speed, double own) {
+  speed_ = std::max(speed_.value_or(0), speed);
+  now_ = std::max(now_.value_or(own), speed);
+}
+
+void FlownTrack::may_fly_at_own(double own) {
+  if (now_) now_ = std::max(*now_, own);
+  own_ = true;
 }
 
 double FlownTrack::most_speed(double unsaid) const {

@@ -34,9 +34,13 @@ class FlownTrack {
 
   void say_speed(double speed);
   void say_no_speed() {
-    unsaid_speed_ = true;
+    unsaid_speed_ = own_ = true;
     now_.reset();
   }
+  // From here on at that speed or at the one before, nobody knows which; `own`: the vehicle's own,
+  // m/s, the fastest that may fly it.
+  void may_fly_at(double speed, double own);
+  void may_fly_at_own(double own);
   // The largest that any leg may be flown with; `unsaid` where the file says none.
   double most_speed(double unsaid) const;
 
@@ -60,8 +64,9 @@ class FlownTrack {
   std::vector<Sweep> sweeps_;
   Hull leaving_;  // from where the next leg may begin, where that is not the last point
   std::optional<double> speed_;  // the largest that was said
-  std::optional<double> now_;    // the last
-  bool unsaid_speed_ = false;    // a leg, the ascent aside, was flown before any speed was said
+  std::optional<double> now_;    // the last, or the largest of those that it may be
+  bool own_ = true;              // it may be flying at the vehicle's own speed
+  bool unsaid_speed_ = false;    // so it may have flown a leg, the ascent aside
 };
 
 }  // namespace traj

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "traj/mission/mavlink/examples.h"
@@ -43,8 +44,11 @@ TEST(MissionClock, CountsTheVehiclesOwnSpeedWhereTheFileSaysNoOther) {
   const MissionItem leg = at(kWaypoint, {}, kEast);
   const MissionItem back = at(kWaypoint, {}, 0);
   const double own = flown({leg, back}).least_seconds;
-  EXPECT_NEAR(flown({speed(1, 100), speed(1, -2), leg, back}).least_seconds, own, 1e-9);
-  EXPECT_LT(flown({speed(1, 100), speed(1, -1), leg, back}).least_seconds, own) << "-1: as it is";
+  EXPECT_LT(flown({speed(1, 100), speed(1, -1), leg, back}).least_seconds, own) << "as it is";
+  for (const char* pilot : {"px4", "any"}) {
+    const double slow = flown({leg, back}, pilot).least_seconds;
+    EXPECT_NEAR(flown({speed(1, 100), speed(1, -1), leg, back}, pilot).least_seconds, slow, 1e-9);
+  }
 }
 
 TEST(MissionClock, CountsRatesOfClimbAndDescent) {
@@ -79,6 +83,17 @@ TEST(MissionClock, KnowsWhatMayTakeForEver) {
                    {kMissionFrame, kDelay, {-1, 23, 59, 59}, 0, 0, 0}})
                 .endless,
             "");
+  const auto waits = [](double seconds, const char* pilot) {
+    return flown({at(kWaypoint, {1, 0, 0, 0}, kEast),
+                  {kMissionFrame, kDelay, {seconds, 0, 0, 0}, 0, 0, 0}},
+                 pilot)
+        .endless;
+  };
+  EXPECT_NE(waits(0, "ardupilot"), "") << "until midnight";
+  EXPECT_NE(waits(0, "any"), "");
+  EXPECT_NE(waits(std::nan(""), "any"), "");
+  EXPECT_EQ(waits(0, "px4"), "");
+  EXPECT_EQ(waits(1, "any"), "");
   EXPECT_NE(flown({at(kLoiterForever, {}, kEast)}).endless, "");
   EXPECT_NE(flown({at(kWaypoint, {1, 0, 0, 0}, kEast),
                    at(kWaypoint, {1, 0, 0, 0}, 0),

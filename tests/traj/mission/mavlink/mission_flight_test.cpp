@@ -215,6 +215,54 @@ TEST(FlownMission, BrakesFromTheLargestSpeedThatMayBe) {
 }
 
 TEST(FlownMission, MayReturnToRallyPoints) {
+// The speed of a mission that says 2 m/s first, and then flies a leg behind these items.
+std::optional<double> speed_behind(const std::vector<std::pair<int, std::array<double, 4>>>& items,
+                                   const char* autopilot) {
+  Maker maker;
+  maker.just(kSpeed, {1, 2, -1, 0}).add(kWaypoint, {50, 0, 30}, {1, 0.2, 0, 0});
+  for (const auto& [command, param] : items) maker.just(command, param);
+  maker.add(kWaypoint, {100, 0, 30});
+  return maker.fly({.autopilots = *autopilots_of(autopilot)}).speed;
+}
+
+TEST(FlownMission, Px4FliesAtItsOwnSpeedBehindOneThatIsNone) {
+  for (const double none : {-1.0, 0.0, -2.0}) {
+    EXPECT_EQ(speed_behind({{kSpeed, {1, none, -1, 0}}}, "px4"), std::nullopt) << none;
+    EXPECT_EQ(speed_behind({{kSpeed, {1, none, -1, 0}}}, "any"), std::nullopt) << none;
+    EXPECT_EQ(speed_behind({{kSpeed, {1, none, -1, 0}}}, "ardupilot"), 2) << none;
+  }
+}
+
+TEST(FlownMission, Px4TakesRatesOfClimbForSpeeds) {
+  for (const double type : {2.0, 3.0}) {
+    EXPECT_EQ(speed_behind({{kSpeed, {type, 8, -1, 0}}}, "px4"), 8);
+    EXPECT_EQ(speed_behind({{kSpeed, {type, 8, -1, 0}}}, "any"), 8);
+    EXPECT_EQ(speed_behind({{kSpeed, {type, 8, -1, 0}}}, "ardupilot"), 2);
+    EXPECT_EQ(speed_behind({{kSpeed, {type, 1, -1, 0}}}, "any"), 2) << "ArduPilot keeps its speed";
+  }
+}
+
+TEST(FlownMission, ArdupilotMayNeverRunWhatFollowsACondition) {
+  for (const int condition : {kConditionDelay, kConditionDistance, kConditionYaw}) {
+    Maker maker;
+    maker.just(kSpeed, {1, 12, -1, 0}).add(kWaypoint, {50, 0, 30}, {1, 0.2, 0, 0});
+    maker.just(condition, {60, 0, 0, 0}).just(kSpeed, {1, 2, -1, 0}).add(kWaypoint, {90, 0, 30});
+    maker.add(kWaypoint, {90, 60, 30}, {0, 0.5, 0, 0});
+    const auto out = [&](const char* pilot) {
+      const FlownMavlink flown = maker.fly({.autopilots = *autopilots_of(pilot)});
+      double most = 0;
+      for (const Sweep& sweep : flown.drift.back().sweeps) {
+        for (const Vec3& p : sweep.hull) most = std::max(most, p.x());
+      }
+      return most;
+    };
+    EXPECT_GT(out("ardupilot"), 90 + 0.12 * 12) << "overshot from 12 m/s";
+    EXPECT_LT(out("px4"), 90.47 + 0.12 * 12);
+    EXPECT_EQ(speed_behind({{condition, {}}, {kSpeed, {1, 1, -1, 0}}}, "ardupilot"), 2);
+    EXPECT_EQ(speed_behind({{condition, {}}, {kSpeed, {1, 9, -1, 0}}}, "ardupilot"), 9);
+  }
+}
+
   Maker maker;
   maker.add(kWaypoint, {100, 0, 30}, {1, 0.2, 0, 0}).just(kReturn);
   const geom::GeographicFrame earth(kHomeFrame.origin);

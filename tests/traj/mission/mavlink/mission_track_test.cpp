@@ -73,5 +73,18 @@ TEST(FlownTrack, KnowsTheLargestSpeed) {
   EXPECT_EQ(finished(track).speed, std::nullopt);
 }
 
+TEST(FlownTrack, KnowsTheLargestSpeedThatMayBe) {
+  FlownTrack track;
+  track.say_speed(4);
+  track.may_fly_at(6, 10);
+  track.go({0, 0, 9}, 0, kLeg, {});
+  track.go({50, 0, 9}, 0, kLeg, {});
+  EXPECT_EQ(finished(track).speed, 6);
+  track.may_fly_at_own(10);
+  EXPECT_EQ(finished(track).speed, 6) << "nothing was flown since";
+  track.go({70, 0, 9}, 0, kLeg, {});
+  EXPECT_EQ(finished(track).speed, std::nullopt);
+}
+
 }  // namespace
 }  // namespace traj

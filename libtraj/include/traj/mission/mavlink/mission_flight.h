@@ -78,6 +78,8 @@ inline constexpr double kUnsaidSpeed = 10;  // m/s
 //   of the file, down to its height; it must find home's ground below (judge.h). Without that
 //   height, or with the mark of a landing (189) that it may go to: `returns`.
 // Commands that are known to move nothing (cameras, gimbals, servos, yaw) are counted.
+// - Changes of speed: what each of the autopilots makes of them; behind a condition, at which
+//   ArduPilot may come late or never, the larger of both speeds.
 // - PX4 loads no mission with a spline, turns on a circle, a payload's place or an auxiliary
 //   function, and flies to a take-off at latitude 0, longitude 0: such a mission is ArduPilot's
 //   alone, which rests at each hold of 1 s.
@@ -92,7 +94,8 @@ inline constexpr double kUnsaidSpeed = 10;  // m/s
 //
 // Throws geom::InputError(source, line, …) for all others (changes of mode, unknown ones), for
 // items after the end of the flight, a second take-off, heights above terrain without `ground` and
-// `terrain`, places that are not near the origin, and a height above home without home.
+// `terrain`, places that are not near the origin, a height above home without home, and a way
+// beyond a fence of the autopilots' parameters.
 FlownMavlink flown_mission(const Mission& mission, const MissionFrame& frame,
                            const MissionRules& rules, std::string_view source);
 
