@@ -124,6 +124,11 @@ ReadFlights fly_mission(const Mission& mission, const ReadTask& task) {
   FlownMavlink flown = flown_mission(mission, over, rules, task.source);
   std::vector<std::string> notes = notes_of(flown);
   if (flown.counts_from_sea && over.geoid_grid) notes.push_back(sea_note(flown, over));
+  if (mission.first_for_home) {
+    notes.insert(notes.begin(),
+                 "its first item is not home (frame 0, command 16), and ArduPilot and "
+                 "QGroundControl do not fly it: the mission was looked at as PX4 flies all items");
+  }
   notes.insert(notes.begin(), mission.notes.begin(), mission.notes.end());
   return {{{FlownMission(std::move(flown))}}, std::move(notes)};
 }

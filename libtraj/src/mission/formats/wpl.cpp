@@ -167,6 +167,7 @@ class WplReader {
     skips_ = skips_ || item.number != next_;
     next_ = item.number + 1;
     if (first && has_home_ && item.frame == kGlobal && item.command == kWaypoint) {
+      has_home_ = false;  // no other item stands in its place
       take_home(item);
     } else if (item.command == kRallyPoint) {
       beside_ = true;
@@ -175,6 +176,7 @@ class WplReader {
     } else if (take_fence(item)) {
       beside_ = true;
     } else {
+      mission_.first_for_home = mission_.first_for_home || (mission_.items.empty() && has_home_);
       // A ground station uploads fences and rally points apart, and counts the items without them.
       skips_ = skips_ || beside_;
       mission_.items.push_back(item);

@@ -41,9 +41,29 @@ const MissionItem* not_for_px4(const Mission& mission) {
   return found == mission.items.end() ? nullptr : &*found;
 }
 
+namespace {
+
+// Those that fly the first item. ArduPilot (AP_Mission::read_cmd_from_storage) has home in its
+// place.
+std::vector<Autopilot> flying_all(const Mission& mission, const MissionRules& rules,
+                                  std::string_view source) {
+  std::vector<Autopilot> out = rules.autopilots;
+  if (!mission.first_for_home || out.empty() || mission.items.empty()) return out;
+  std::erase_if(out, [](const Autopilot& one) { return one.firmware == Firmware::ardupilot; });
+  if (!out.empty()) return out;
+  refuse_item(source, mission.items.front(),
+              {.expected = "home as the first item (frame 0, command 16)",
+               .found = fmt::format("frame {}, command {}", mission.items.front().frame,
+                                    mission.items.front().command),
+               .advice = "ArduPilot takes the first item for home and does not fly it: put home "
+                         "before it, or say that PX4 flies it (--autopilot px4)"});
+}
+
+}  // namespace
+
 std::vector<Autopilot> autopilots_that_load(const Mission& mission, const MissionRules& rules,
                                             std::string_view source) {
-  std::vector<Autopilot> out = rules.autopilots;
+  std::vector<Autopilot> out = flying_all(mission, rules, source);
   const MissionItem* const item = not_for_px4(mission);
   if (!item || out.empty()) return out;
   std::erase_if(out, [](const Autopilot& one) { return one.firmware == Firmware::px4; });

@@ -117,6 +117,27 @@ TEST(Wpl, TakesWhatGroundStationsWrite) {
   EXPECT_EQ(old.items.size(), 2u);
 }
 
+// ArduPilot and QGroundControl have home in the place of the first item, whatever it is.
+TEST(Wpl, ArdupilotDoesNotFlyTheFirstItem) {
+  const std::string items =
+      "0\t1\t3\t22\t0\t0\t0\t0\t47\t8\t15\t1\n1\t0\t3\t16\t0\t2\t0\t0\t47\t8.001\t15\t1\n";
+  const auto flown = [&](const char* version, const char* pilot) {
+    const Mission mission = read_wpl(support::Text(version + items), "m.wpl");
+    const MissionRules rules{.home = 10, .autopilots = *autopilots_of(pilot)};
+    return flown_mission(mission, {{47, 8, 400}, 0}, rules, "m.wpl");
+  };
+  const FlownMavlink any = flown("QGC WPL 110\n", "any");
+  ASSERT_EQ(any.drift.size(), 1u);
+  EXPECT_TRUE(any.drift[0].autopilot.starts_with("px4")) << any.drift[0].autopilot;
+  EXPECT_EQ(flown("QGC WPL 120\n", "any").drift.size(), 2u) << "home is in no item";
+  EXPECT_EQ(
+      support::refusal_of([&] { flown("QGC WPL 110\n", "ardupilot"); }),
+      "m.wpl:2: expected home as the first item (frame 0, command 16), found frame 3, command "
+      "22: ArduPilot takes the first item for home and does not fly it: put home before it, or "
+      "say that PX4 flies it (--autopilot px4)");
+  EXPECT_FALSE(read(std::string("QGC WPL 110\n") + kHome + "1" + kItem + "\n").first_for_home);
+}
+
 TEST(Wpl, CountsAnewWhatSkipsNumbers) {
   const Mission mission = read("QGC WPL 110\n1" + kItem + "\n5" + kItem + "\n");
   ASSERT_EQ(mission.items.size(), 2u);

@@ -115,6 +115,8 @@ struct Mission {
   std::vector<GeodeticFence> fences;
   std::vector<geom::GeodeticPlace> rally;  // where a return may go; heights above home
   std::vector<std::string> notes;          // what a reader met that its user should know
+  // The first item stands where ArduPilot and QGroundControl have home: they do not fly it.
+  bool first_for_home = false;
 };
 
 struct MissionOptions {
