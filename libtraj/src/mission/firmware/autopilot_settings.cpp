@@ -225,8 +225,12 @@ void take_overrides(const AutopilotSettings& settings, Autopilot& out) {
   if (out.firmware == Firmware::px4) {
     if (const double all = value("MPC_Z_VEL_ALL"); all > 0) out.climb = out.descent = all;
     if (const double all = value("MPC_XY_VEL_ALL"); all > 0) out.speed = all;
+    out.climb = std::max(out.climb, value("MPC_TKO_SPEED"));
+    out.descent = std::max(out.descent, value("MPC_LAND_SPEED"));
   } else {
     out.speed = std::max({out.speed, value("RTL_SPEED") * 0.01, value("RTL_SPEED_MS")});
+    out.descent = std::max({out.descent, value("LAND_SPEED") * 0.01, value("LAND_SPD_MS"),
+                            value("LAND_SPEED_HIGH") * 0.01, value("LAND_SPD_HIGH_MS")});
   }
 }
 
@@ -255,8 +259,8 @@ void take_home_as_rally(const AutopilotSettings& settings, SetAutopilot& out) {
 }
 
 // Ways around obstacles and fences, heights above a terrain that is not known here, a landing
-// beside a beacon: then nobody knows where a return goes, and some of these count in a mission,
-// too. All of them are off by default.
+// beside a beacon, a return that ends in the air: then nobody knows where a return goes, and some
+// of these count in a mission, too. All of them are off by default.
 void take_unknown_ways(const AutopilotSettings& settings, Autopilot& out) {
   const auto any_on = [&](std::initializer_list<const char*> names) {
     return std::any_of(names.begin(), names.end(), [&](const char* name) {
@@ -266,7 +270,8 @@ void take_unknown_ways(const AutopilotSettings& settings, Autopilot& out) {
   };
   out.keeps_to_legs = !any_on({"OA_TYPE", "COM_OBS_AVOID"});
   out.lands_below = !any_on({"PLND_ENABLED"});
-  if (any_on({"RTL_PLD_MD", "RTL_ALT_TYPE"}) || !out.keeps_to_legs || !out.lands_below) {
+  if (any_on({"RTL_PLD_MD", "RTL_ALT_TYPE", "RTL_ALT_FINAL", "RTL_ALT_FINAL_M"}) ||
+      !out.keeps_to_legs || !out.lands_below) {
     out.returns_home = false;
   }
 }
@@ -274,15 +279,28 @@ void take_unknown_ways(const AutopilotSettings& settings, Autopilot& out) {
 // What it does when a link is lost: of the remote control, or of the ground station. One of them
 // that makes it return is enough, since many fly with one link alone.
 void take_lost_links(const AutopilotSettings& settings, Autopilot& out) {
-  constexpr std::pair<const char*, double> kReturns[] = {
-      {"NAV_RCL_ACT", 2}, {"NAV_DLL_ACT", 2}, {"FS_THR_ENABLE", 1}, {"FS_GCS_ENABLE", 1}};
+  struct LostLink {
+    const char* action;
+    double returns;
+    const char* exceptions;  // whose bit makes it go on with its mission
+    unsigned bit;
+  };
+  constexpr LostLink kLinks[] = {{"NAV_RCL_ACT", 2, "COM_RCL_EXCEPT", 1},
+                                 {"NAV_DLL_ACT", 2, "COM_DLL_EXCEPT", 1},
+                                 {"FS_THR_ENABLE", 1, "FS_OPTIONS", 1},
+                                 {"FS_GCS_ENABLE", 1, "FS_OPTIONS", 2}};
+  const auto value = [&](const char* name) -> std::optional<double> {
+    const auto found = settings.values.find(name);
+    return found == settings.values.end() ? std::nullopt : std::optional(found->second);
+  };
   bool said = false;
   bool returns = false;
-  for (const auto& [name, value] : kReturns) {
-    const auto found = settings.values.find(name);
-    if (found == settings.values.end()) continue;
-    said = true;
-    returns = returns || found->second == value;
+  for (const LostLink& link : kLinks) {
+    const auto action = value(link.action);
+    const double bits = std::clamp(value(link.exceptions).value_or(0), 0.0, 65535.0);
+    const bool goes_on = (static_cast<unsigned>(bits) & link.bit) != 0;
+    said = said || action || goes_on;
+    returns = returns || (action == link.returns && !goes_on);
   }
   out.returns_if_lost = returns || !said;
 }
@@ -299,10 +317,26 @@ void take_fence(const AutopilotSettings& settings, Autopilot& out) {
   const bool enabled = value("FENCE_ENABLE", 0) != 0;
   const bool may_be = value("FENCE_AUTOENABLE", 0) != 0;  // by the firmware, in flight
   out.rally_in_fence = enabled || may_be;
+  if (out.rally_in_fence && value("FENCE_ACTION", 1) != 0) {
+    constexpr unsigned kCircle = 2;
+    if ((type & kHighest) != 0) out.fence_top = value("FENCE_ALT_MAX", 100);
+    if ((type & kCircle) != 0) out.fence_across = value("FENCE_RADIUS", 300);
+  }
   if ((type & kHighest) == 0) return;
   if (may_be && !enabled) out.returns_home = false;
   if (!enabled) return;
   out.return_ceiling = std::max(0.0, value("FENCE_ALT_MAX", 100) - value("FENCE_MARGIN", 2));
+}
+
+// PX4's, which does more than warn from an action of 2 on.
+void take_distances(const AutopilotSettings& settings, Autopilot& out) {
+  const auto value = [&](const char* name, double usual) {
+    const auto found = settings.values.find(name);
+    return found == settings.values.end() ? usual : found->second;
+  };
+  if (value("GF_ACTION", 2) < 2) return;
+  if (const double most = value("GF_MAX_VER_DIST", 0); most > 0) out.fence_top = most;
+  if (const double most = value("GF_MAX_HOR_DIST", 0); most > 0) out.fence_across = most;
 }
 
 // How it follows terrain (AC_WPNav::get_terrain_offset): a rangefinder goes before its own terrain.
@@ -396,6 +430,7 @@ SetAutopilot set_autopilot(const AutopilotSettings& settings, const std::vector<
     take_cone(settings, source, out);
     take_return_type(settings, out);
     take_land_delay(settings, out.autopilot);
+    take_distances(settings, out.autopilot);
   } else if (metres > 0 && centimetres > 0) {
     refuse(
         source,

@@ -139,6 +139,12 @@ bool flown_by(Firmware firmware, const MissionRules& rules) {
                      [&](const Autopilot& one) { return one.firmware == firmware; });
 }
 
+bool returns_below(const MissionRules& rules, double height) {
+  return std::any_of(
+      rules.autopilots.begin(), rules.autopilots.end(),
+      [&](const Autopilot& one) { return one.return_ceiling && *one.return_ceiling < height; });
+}
+
 double most_return_climb(const MissionRules& rules) {
   double most = 0;
   for (const Autopilot& one : rules.autopilots) most = std::max(most, one.return_climb);

@@ -29,6 +29,9 @@ bool flown_by(Firmware firmware, const MissionRules& rules);
 // m that a return climbs at most, whatever its height.
 double most_return_climb(const MissionRules& rules);
 
+// Whether a fence of one of them keeps it from returning so high, m above home.
+bool returns_below(const MissionRules& rules, double height);
+
 // The least slope of the cones within which a return stays low; 0: there is none.
 double least_return_slope(const MissionRules& rules);
 

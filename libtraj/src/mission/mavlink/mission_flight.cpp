@@ -16,6 +16,7 @@
 #include "mission_places.h"
 #include "mission_speeds.h"
 #include "mission_track.h"
+#include "parameter_fence.h"
 #include "terrain_lift.h"
 
 namespace traj {
@@ -368,6 +369,8 @@ class Flight {
     const Vec3 end = path().back();
     const double ground = places_.above_home(*item_, 0);
     const double z = std::max(end.z() + most_return_climb(rules_), ground + *rules_.return_height);
+    flown_.returns = returns_below(rules_, z - ground);
+    if (flown_.returns) return;
     const Vec3 home =
         mission_.home ? on_map(*mission_.home, z) : Vec3(path().front().x(), path().front().y(), z);
     track_.say_no_speed();  // it returns with one of its own
@@ -464,7 +467,9 @@ FlownMavlink flown_mission(const Mission& mission, const MissionFrame& frame,
                            const MissionRules& rules, std::string_view source) {
   MissionRules loading = rules;
   loading.autopilots = autopilots_that_load(mission, rules, source);
-  return Flight(mission, frame, loading, source).fly();
+  FlownMavlink flown = Flight(mission, frame, loading, source).fly();
+  require_within_fence(flown, loading.autopilots, source);
+  return flown;
 }
 
 }  // namespace traj

@@ -87,7 +87,8 @@ TEST(AutopilotSettings, SayWhichRallyPointsCount) {
 }
 
 TEST(AutopilotSettings, KnowNoWayOfAReturnRoundFencesOverTerrainOrToABeacon) {
-  for (const char* name : {"RTL_ALT_TYPE", "OA_TYPE", "PLND_ENABLED"}) {
+  for (const char* name :
+       {"RTL_ALT_TYPE", "OA_TYPE", "PLND_ENABLED", "RTL_ALT_FINAL", "RTL_ALT_FINAL_M"}) {
     EXPECT_TRUE(set(std::string("RTL_ALT,1500\n") + name + ",0\n").autopilot.returns_home);
     EXPECT_FALSE(set(std::string("RTL_ALT,1500\n") + name + ",1\n").autopilot.returns_home);
   }
@@ -103,6 +104,27 @@ TEST(AutopilotSettings, SayWhetherALostLinkMakesItReturn) {
   EXPECT_TRUE(returns("RTL_ALT,1500\nFS_THR_ENABLE,1\n"));
   EXPECT_FALSE(returns("RTL_ALT,1500\nFS_THR_ENABLE,3\n"));
   EXPECT_FALSE(returns("RTL_ALT,1500\nFS_THR_ENABLE,0\nFS_GCS_ENABLE,4\n"));
+}
+
+TEST(AutopilotSettings, SayWhetherAMissionGoesOnWithoutALink) {
+  const auto returns = [](const std::string& text) { return set(text).autopilot.returns_if_lost; };
+  EXPECT_FALSE(returns("NAV_ACC_RAD,2\nNAV_RCL_ACT,2\nCOM_RCL_EXCEPT,1\n"));
+  EXPECT_FALSE(returns("NAV_ACC_RAD,2\nCOM_RCL_EXCEPT,5\n"));
+  EXPECT_TRUE(returns("NAV_ACC_RAD,2\nNAV_RCL_ACT,2\nCOM_RCL_EXCEPT,6\n")) << "other modes";
+  EXPECT_TRUE(returns("NAV_ACC_RAD,2\nNAV_RCL_ACT,2\nNAV_DLL_ACT,2\nCOM_RCL_EXCEPT,1\n"));
+  EXPECT_FALSE(returns("NAV_ACC_RAD,2\nNAV_DLL_ACT,2\nCOM_DLL_EXCEPT,1\n"));
+  EXPECT_FALSE(returns("RTL_ALT,1500\nFS_THR_ENABLE,1\nFS_OPTIONS,17\n"));
+  EXPECT_TRUE(returns("RTL_ALT,1500\nFS_THR_ENABLE,1\nFS_OPTIONS,18\n")) << "of the other link";
+  EXPECT_FALSE(returns("RTL_ALT,1500\nFS_GCS_ENABLE,1\nFS_OPTIONS,3\n"));
+}
+
+TEST(AutopilotSettings, HaveTheFastestDescentAndClimb) {
+  EXPECT_EQ(set("RTL_ALT,1500\nLAND_SPEED,50\n").autopilot.descent, 1.5);
+  EXPECT_EQ(set("RTL_ALT,1500\nLAND_SPEED,200\n").autopilot.descent, 2);
+  EXPECT_EQ(set("RTL_ALT,1500\nLAND_SPEED_HIGH,400\n").autopilot.descent, 4);
+  EXPECT_EQ(set("RTL_ALT_M,15\nLAND_SPD_HIGH_MS,4\n").autopilot.descent, 4);
+  EXPECT_EQ(set("NAV_ACC_RAD,2\nMPC_LAND_SPEED,2\nMPC_TKO_SPEED,5\n").autopilot.descent, 2);
+  EXPECT_EQ(set("NAV_ACC_RAD,2\nMPC_LAND_SPEED,2\nMPC_TKO_SPEED,5\n").autopilot.climb, 5);
 }
 
 TEST(AutopilotSettings, SayWhatLeavesAMissionsWay) {

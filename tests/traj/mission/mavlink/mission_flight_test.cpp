@@ -172,6 +172,15 @@ TEST(FlownMission, ReturnsAtTheHeightThatIsGiven) {
   expect_near(low.path[3], {0, 0, 30});
 }
 
+TEST(FlownMission, KnowsNoReturnThatAFenceKeepsLow) {
+  Maker maker;
+  maker.add(kWaypoint, {100, 0, 30}).just(kReturn);
+  Autopilot pilot = ardupilot();
+  pilot.return_ceiling = 59;
+  EXPECT_TRUE(maker.fly({.return_height = 60, .autopilots = {pilot}}).returns);
+  EXPECT_FALSE(maker.fly({.return_height = 58, .autopilots = {pilot}}).returns);
+}
+
 TEST(FlownMission, MayReturnLowerFromNear) {
   Maker maker;
   maker.add(kWaypoint, {20, 0, 20}, {1, 0.2, 0, 0}).just(kReturn);
@@ -206,15 +215,6 @@ TEST(FlownMission, PassesPointsThatAreReachedAtOnce) {
   EXPECT_FALSE(swept(maker.fly({.acceptance = 3}), Manoeuvre::corner, {97.5, 50, 30}));
 }
 
-TEST(FlownMission, BrakesFromTheLargestSpeedThatMayBe) {
-  Maker maker;
-  maker.add(kWaypoint, {50, 0, 30}, {1, 0.2, 0, 0}).just(kSpeed, {1, 15, -1, 0});
-  maker.add(kWaypoint, {100, 0, 30}).add(kWaypoint, {100, 80, 30});
-  EXPECT_FALSE(maker.fly().speed) << "a leg was flown before any was said";
-  EXPECT_TRUE(swept(maker.fly(), Manoeuvre::corner, {127.4, 0, 30}));
-}
-
-TEST(FlownMission, MayReturnToRallyPoints) {
 // The speed of a mission that says 2 m/s first, and then flies a leg behind these items.
 std::optional<double> speed_behind(const std::vector<std::pair<int, std::array<double, 4>>>& items,
                                    const char* autopilot) {
@@ -263,6 +263,15 @@ TEST(FlownMission, ArdupilotMayNeverRunWhatFollowsACondition) {
   }
 }
 
+TEST(FlownMission, BrakesFromTheLargestSpeedThatMayBe) {
+  Maker maker;
+  maker.add(kWaypoint, {50, 0, 30}, {1, 0.2, 0, 0}).just(kSpeed, {1, 15, -1, 0});
+  maker.add(kWaypoint, {100, 0, 30}).add(kWaypoint, {100, 80, 30});
+  EXPECT_FALSE(maker.fly().speed) << "a leg was flown before any was said";
+  EXPECT_TRUE(swept(maker.fly(), Manoeuvre::corner, {127.4, 0, 30}));
+}
+
+TEST(FlownMission, MayReturnToRallyPoints) {
   Maker maker;
   maker.add(kWaypoint, {100, 0, 30}, {1, 0.2, 0, 0}).just(kReturn);
   const geom::GeographicFrame earth(kHomeFrame.origin);

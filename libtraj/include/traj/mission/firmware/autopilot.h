@@ -59,6 +59,10 @@ struct Autopilot {
   bool descends_aslant = false;  // to return_descend, before it lands: PX4 until 1.15, and later
                                  // ones that wait there (RTL_LAND_DELAY)
   std::optional<double> return_ceiling;  // m above home that a return climbs to: FENCE_ALT_MAX
+  // m above home, and across from it, beyond which it leaves its mission: FENCE_ALT_MAX and
+  // FENCE_RADIUS, GF_MAX_VER_DIST and GF_MAX_HOR_DIST; none by default.
+  std::optional<double> fence_top;
+  std::optional<double> fence_across;
   double rally_limit = 0;       // m: home if every rally point is further; 0: none. RALLY_LIMIT_KM
   bool home_is_a_place = true;  // of which the nearest counts; else a last resort. RALLY_INCL_HOME
   bool rally_in_fence = false;  // it leaves out rally points outside of its fence: FENCE_ENABLE
