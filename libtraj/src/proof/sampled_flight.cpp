@@ -135,6 +135,11 @@ void take_standing(const geom::CollisionScene& scene, const Part& part, const Ve
   out.on_ground += part.times.back() - part.times.front();
 }
 
+// A step of the log, and not of the vehicle: a correction of its place.
+bool jumps(const Vec3& from, const Vec3& to, double seconds) {
+  return (to - from).norm() > kLongestJump + kFastestFlight * seconds;
+}
+
 void note_gap(double time, const Vec3& place, double seconds, SampledFlight& out) {
   if (out.gap || out.reason != Reason::none) return;
   out.gap = true;
@@ -164,7 +169,7 @@ SampledFlight check_sampled(const geom::CollisionScene& scene, std::span<const V
   for (std::size_t i = 1; i <= points.size(); ++i) {
     const double step = i < points.size() ? times[i] - times[i - 1] : 0;
     out.longest_step = std::max(out.longest_step, step);
-    const bool gap = step > kLongestGap;
+    const bool gap = step > kLongestGap || (i < n && jumps(points[i - 1], points[i], step));
     if (i < points.size() && gap) note_gap(times[i - 1], points[i - 1], step, out);
     if (i <= begin || (i < last && !gap) || i > last) continue;
     take(scene, piece(begin, i), out);

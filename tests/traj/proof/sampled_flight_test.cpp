@@ -57,6 +57,13 @@ TEST(SampledFlight, SaysNothingOfTheWayThroughAGap) {
   EXPECT_EQ(verdict(check({{0, 0, 5}, {20, 0, 5}}, {0, 1.01})), "gap");
 }
 
+TEST(SampledFlight, RefusesStepsThatNoVehicleFlies) {
+  const SampledFlight flight = check({{0, 0, 5}, {1, 0, 5}, {4.1, 0, 5}}, {0, 0.1, 0.12});
+  EXPECT_EQ(verdict(flight), "gap");
+  EXPECT_EQ(flight.time, 0.1);
+  EXPECT_EQ(verdict(check({{0, 0, 5}, {1, 0, 5}, {3.9, 0, 5}}, {0, 0.1, 0.12})), "sampled");
+}
+
 TEST(SampledFlight, SaysATouchRatherThanAGap) {
   const SampledFlight flight =
       check({{0, 0, 5}, {1, 0, 5}, {8, 0, 5}, {10.5, 0, 5}}, {0, 5, 5.5, 6});

@@ -20,6 +20,9 @@
 namespace traj {
 
 inline constexpr double kLongestGap = 1;  // s between two samples; with a longer one it is refused
+// m and m/s: a vehicle does not fly further than both allow between two samples.
+inline constexpr double kLongestJump = 1;
+inline constexpr double kFastestFlight = 100;
 
 struct SampledFlight {
   Reason reason = Reason::none;  // where it left the bounds, or touched an obstacle
@@ -42,8 +45,8 @@ struct SampledFlight {
 std::string_view verdict(const SampledFlight& flight);
 
 // Along the straight lines between neighbouring samples, exact on these (check_path), but for those
-// that are more than kLongestGap apart. `points` in the map's axes, reached at `times`, which grow;
-// at least one.
+// that are more than kLongestGap apart, or further than a vehicle flies. `points` in the map's
+// axes, reached at `times`, which grow; at least one.
 //
 // A log may begin and end on the ground: while a vehicle is within 2 m across of its first sample,
 // or its last, and not half a metre above where it would be clear, what lies below it is stood on,

@@ -72,6 +72,12 @@ void add_losses(const Px4Flight& flight, std::vector<std::string>& out) {
         flight.resets == 1 ? std::string("once") : fmt::format("{} times", flight.resets),
         flight.largest_reset));
   }
+  if (flight.corrected_in_air) {
+    out.push_back(fmt::format(
+        "by {:.3g} m of these in the air: where the vehicle was before is not known, and the last "
+        "row says cut",
+        flight.largest_reset_in_air));
+  }
 }
 
 }  // namespace
@@ -139,6 +145,7 @@ nlohmann::ordered_json stats(const Px4Flight& flight) {
                                 {"ends_in_air", flight.ends_in_air},
                                 {"resets", flight.resets},
                                 {"largest_reset", flight.largest_reset},
+                                {"largest_reset_in_air", flight.largest_reset_in_air},
                                 {"version", log.version},
                                 {"messages", log.messages},
                                 {"unknown_messages", log.unknown},

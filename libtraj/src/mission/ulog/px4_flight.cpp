@@ -25,6 +25,7 @@ constexpr std::array<std::string_view, 9> kTopics = {
 constexpr double kLatest = 1e9;                // s: what a flight log may hold
 constexpr std::uint64_t kSetBack = 1'000'000;  // microseconds by which a clock was set back
 constexpr std::uint64_t kSilent = 1'000'000;   // microseconds from which on positions are missing
+constexpr double kCorrected = 1;               // m by which places in the air may be corrected
 constexpr double kStanding = 10;  // s before a take-off in which the vehicle stood on the ground
 
 Vec3 enu_of(const Vec3& ned) { return {ned.y(), ned.x(), -ned.z()}; }
@@ -103,7 +104,7 @@ class Track {
     leave_out(not_known_);
   }
 
-  void add(const Position& position, const Px4State& state) {
+  void add(const Position& position, const Px4State& state, bool stands) {
     ++positions_;
     if (!known_on_map(position)) return leave_out(nowhere_);
     if (samples_.empty()) {
@@ -114,7 +115,7 @@ class Track {
     }
     FlightSample sample = sample_of(position, state);
     sample.time = seconds(position.time - first_);
-    count_reset(position, sample);
+    count_reset(position, sample, stands);
     last_ = position.time;
     left_out_since_ = 0;
     samples_.push_back(sample);
@@ -137,6 +138,8 @@ class Track {
     out.reference = reference_;
     out.resets = resets_;
     out.largest_reset = largest_reset_;
+    out.largest_reset_in_air = largest_reset_in_air_;
+    out.corrected_in_air = largest_reset_in_air_ > kCorrected;
   }
 
  private:
@@ -196,14 +199,27 @@ class Track {
     out.setpoint_yaw = std::atan2(heading.y(), heading.x());
   }
 
-  // The step also has what the vehicle flew since the sample before.
-  void count_reset(const Position& position, const FlightSample& sample) {
-    if (!samples_.empty() && position.resets != counters_) {
+  void count_reset(const Position& position, const FlightSample& sample, bool stands) {
+    if (!samples_.empty() && (position.resets != counters_ || moved_reference(position))) {
+      const double step = step_of(samples_.back(), sample);
       ++resets_;
-      largest_reset_ =
-          std::max(largest_reset_, (sample.position - samples_.back().position).norm());
+      largest_reset_ = std::max(largest_reset_, step);
+      if (!stands) largest_reset_in_air_ = std::max(largest_reset_in_air_, step);
     }
     counters_ = position.resets;
+    last_reference_ = position.reference;
+  }
+
+  // Whether its local coordinates count from elsewhere than those before.
+  bool moved_reference(const Position& position) const {
+    return placing_ && position.local && position.reference != last_reference_;
+  }
+
+  // What the estimate moved beside what the vehicle flew, as far as its velocity is known.
+  static double step_of(const FlightSample& before, const FlightSample& after) {
+    Vec3 step = after.position - before.position;
+    if (is_known(before.velocity)) step -= before.velocity * (after.time - before.time);
+    return step.norm();
   }
 
   std::unique_ptr<Placing> placing_;  // none: local coordinates as they are
@@ -218,10 +234,12 @@ class Track {
   std::size_t left_out_at_begin_ = 0;
   std::size_t left_out_since_ = 0;  // the last row
   bool set_back_ = false;
-  std::optional<GeodeticPlace> reference_;
+  std::optional<GeodeticPlace> reference_;  // the first
+  std::optional<GeodeticPlace> last_reference_;
   std::array<std::optional<double>, 2> counters_;
   std::size_t resets_ = 0;
   double largest_reset_ = 0;
+  double largest_reset_in_air_ = 0;
 };
 
 bool on_earth(double latitude, double longitude) {
@@ -299,13 +317,14 @@ class Collector {
     }
     std::move(track).give(out_);
     out_.log.cut = out_.summary.cut_at.has_value() || out_.left_out_at_end > 0 ||
-                   out_.begins_in_air || out_.ends_silent || out_.ends_in_air;
+                   out_.begins_in_air || out_.ends_silent || out_.ends_in_air ||
+                   out_.corrected_in_air;
     return std::move(out_);
   }
 
  private:
   void add(Track& track, const std::optional<Position>& position) {
-    position ? track.add(*position, state_) : track.skip();
+    position ? track.add(*position, state_, knows_landed_ && stood_) : track.skip();
   }
 
   static void note_largest(std::optional<double> value, std::optional<double>& largest) {

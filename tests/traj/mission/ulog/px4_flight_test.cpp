@@ -101,7 +101,41 @@ TEST(Px4Flight, IsPlacedByEachReferenceInTurn) {
   const Vec3 step = flight.log.samples.at(1).position - flight.log.samples.at(0).position;
   EXPECT_NEAR(step.y(), 111.17, 0.02);
   EXPECT_EQ(flight.resets, 1u);
-  EXPECT_NEAR(flight.largest_reset, step.norm(), 1e-12);
+  EXPECT_NEAR(flight.largest_reset, (step - Vec3(2, 1, -3)).norm(), 0.01) << "but for what it flew";
+}
+
+// A flight from the ground to the ground whose velocity is (1, 2, 3) m/s; its estimate is corrected
+// by 3 m south where it is in the air, or before that.
+Px4Flight corrected(double takes_off, double north, double reference = 47) {
+  Log log;
+  const auto landed = [&](double at, bool value) { log.row(kLanded, at, std::uint8_t(value)); };
+  landed(0, true);
+  log.local(0, {0, 0, 0});
+  if (takes_off < 1) landed(takes_off, false);
+  log.local(0.5, {0.5, 1, 1.5}).local(1, {1 + north, 2, 3}, true, true, reference, 1);
+  if (takes_off > 1) landed(takes_off, false);
+  landed(2, true);
+  return log.local(1.9, {1.9 + north, 3.8, 5.7}, true, true, reference, 1).read();
+}
+
+TEST(Px4Flight, IsCutWhereItsPlaceIsCorrectedInTheAir) {
+  const Px4Flight flight = corrected(0.2, -3);
+  EXPECT_NEAR(flight.largest_reset_in_air, 3, 1e-3);
+  EXPECT_TRUE(flight.corrected_in_air && flight.log.cut);
+  EXPECT_FALSE(corrected(0.2, -0.9).log.cut) << "0.9 m";
+  const Px4Flight before = corrected(1.2, -3);
+  EXPECT_FALSE(before.corrected_in_air || before.log.cut) << "on the ground";
+  EXPECT_NEAR(before.largest_reset, 3, 1e-3);
+}
+
+TEST(Px4Flight, IsCutWhereItsReferenceMovesInTheAir) {
+  Log log;
+  log.row(kLanded, 0, std::uint8_t(1)).local(0, {0, 0, 0}).row(kLanded, 0.1, std::uint8_t(0));
+  log.local(0.2, {0.2, 0.4, 0.6}).local(0.3, {0.3, 0.6, 0.9}, true, true, 47.0001);
+  const Px4Flight flight = log.row(kLanded, 0.4, std::uint8_t(1)).read();
+  EXPECT_EQ(flight.resets, 1u);
+  EXPECT_NEAR(flight.largest_reset_in_air, 11.1, 0.1);
+  EXPECT_TRUE(flight.log.cut);
 }
 
 TEST(Px4Flight, LeavesOutWhatIsNotKnown) {

@@ -33,8 +33,8 @@ struct Px4Flight {
   std::size_t not_known = 0;  // of these, left out: the vehicle did not know where it was
   std::size_t nowhere = 0;    // left out: it did not know where on Earth that is, and `over` asks
   std::size_t back = 0;       // left out: the time did not grow, or its clock was set back by 1 s
-  // Each of the next five says that the log is cut, if it is not 0 or false; the first one only
-  // where the vehicle may have flown then.
+  // Each of the next five, and corrected_in_air, says that the log is cut, if it is not 0 or false;
+  // the first one only where the vehicle may have flown then.
   std::size_t left_out_at_begin = 0;  // of all these, the ones before the first sample
   bool begins_in_air = false;         // it flew, or may have flown, before the first sample
   std::size_t left_out_at_end = 0;    // the ones after the last sample
@@ -45,6 +45,8 @@ struct Px4Flight {
   std::optional<double> sea_level;               // m above the ellipsoid, as the log has it
   std::size_t resets = 0;           // of the position: steps of the estimate, not of the vehicle
   double largest_reset = 0;         // m
+  double largest_reset_in_air = 0;  // m
+  bool corrected_in_air = false;    // by more than 1 m: nobody knows where it was before
   std::optional<double> takeoff;    // s in the log
   std::optional<double> deviation;  // m: the largest horizontal one that the vehicle claims
   std::optional<double> vertical_deviation;
