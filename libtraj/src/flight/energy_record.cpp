@@ -81,7 +81,11 @@ std::optional<Energy> parse_energy(const JsonFields& fields, const Airframe& air
                    .found = "neither"});
   }
   auto hover = values.above_zero("hover_w");
-  if (!hover && airframe.endurance) hover = out.capacity / *airframe.endurance;
+  if (!hover && airframe.endurance) {
+    // The endurance is that of the battery as it was made, which may hold less by now.
+    const double made = kSecondsPerHour * airframe.battery.value_or(0);
+    hover = std::max(out.capacity, made) / *airframe.endurance;
+  }
   if (!hover) {
     fields.refuse({.key = "energy.hover_w",
                    .expected = "the power of hovering, W, or endurance_s beside energy",

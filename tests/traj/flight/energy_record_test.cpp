@@ -31,6 +31,12 @@ TEST(Energy, TakesBatteryAndHoverPowerOfTheProfile) {
   EXPECT_DOUBLE_EQ(flying_time(e), 960);
 }
 
+TEST(Energy, ABatteryThatHoldsLessLastsLess) {
+  const Energy e = energy(R"("battery_wh":74,"endurance_s":1200,"energy":{"capacity_wh":37})");
+  EXPECT_DOUBLE_EQ(e.power, 222);
+  EXPECT_DOUBLE_EQ(flying_time(e), 480);
+}
+
 TEST(Energy, CountsTheLargestPower) {
   const Energy e =
       energy(R"("energy":{"capacity_wh":10,"hover_w":100,"cruise_w":90,"climb_w":150,"reserve":0,)"
