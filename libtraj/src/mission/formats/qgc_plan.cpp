@@ -13,6 +13,7 @@
 #include "geom/base/error.h"
 #include "geom/base/text_stream.h"
 #include "geom/text/beginning.h"
+#include "geom/text/counted.h"
 #include "geom/text/parse_json.h"
 #include "mission/formats/mavlink_format.h"
 #include "mission/formats/text_head.h"
@@ -356,6 +357,19 @@ struct PlanReader {
     return plan;
   }
 
+  // QGroundControl works these out anew when it opens the plan.
+  static void note_heights(const Json& items, Mission& mission) {
+    const auto count =
+        static_cast<std::size_t>(std::count_if(items.begin(), items.end(), [](const Json& item) {
+          return item.contains("AltitudeMode") && item["AltitudeMode"] == kFromTerrain;
+        }));
+    if (count == 0) return;
+    mission.notes.push_back(fmt::format(
+        "QGroundControl worked out {} from its terrain (AltitudeMode 3), and does so anew when it "
+        "opens the plan: what was looked at are the heights in the file",
+        geom::counted(count, "height")));
+  }
+
   Mission mission(const Json& plan) const {
     const Json& json = object(plan, "mission", "plan");
     require(json, "version", 2, "mission");
@@ -375,6 +389,7 @@ struct PlanReader {
       refuse({.key = "mission.items", .expected = "a list of at least one", .found = shown(items)});
     }
     add_items(items, "mission.items", mission);
+    note_heights(items, mission);
     return mission;
   }
 };

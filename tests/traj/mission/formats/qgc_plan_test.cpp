@@ -65,6 +65,14 @@ std::string refusal(const std::string& text) {
   return support::refusal_of([&] { read(text); });
 }
 
+TEST(QgcPlan, NotesHeightsThatDependOnTerrain) {
+  EXPECT_TRUE(read(plan(item(R"("frame":0,"AltitudeMode":2)"))).notes.empty());
+  const Mission mission = read(plan(item(R"("frame":0,"AltitudeMode":3)")));
+  ASSERT_EQ(mission.notes.size(), 1u);
+  EXPECT_TRUE(mission.notes[0].starts_with("QGroundControl worked out 1 height from its terrain"))
+      << mission.notes[0];
+}
+
 TEST(QgcPlan, ReadsWhetherAnItemGoesOn) {
   const auto goes_on = [](const std::string& value) {
     return read(plan(item(R"("frame":3,"autoContinue":)" + value))).items[0].goes_on;
