@@ -37,17 +37,55 @@ bool hidden(const PictureScene& scene, const View& view, const Vec3& at) {
   return hit.kind == Hit::Kind::box && hit.depth < at.z() * (1 - 1e-3) - 0.05;
 }
 
-void draw_name(Picture& picture, Spot at, const Line& line, int scale) {
-  const std::string words = excerpt(line.id, kLongest);
-  const double width = text_width(words, scale);
-  const double right = picture.width - width - 6.0 * scale;
-  const Spot corner{std::min(at.x + 11.0 * scale, right), std::max(at.y - 13.0 * scale, 4.0)};
-  draw_rectangle(
-      picture,
-      {{corner.x - 3.0 * scale, corner.y - 2.0 * scale}, width + 6.0 * scale, 12.0 * scale},
-      {kWhite, 0.75});
-  draw_text(picture, corner, words, {scale, kVehicle});
-}
+// Names beside one another: none is written over another, and one that stands there already is not
+// written again.
+class Names {
+ public:
+  Names(Picture& picture, int scale) : picture_(picture), scale_(scale) {}
+
+  void draw(Spot at, const std::string& id) {
+    const std::string words = excerpt(id, kLongest);
+    const double width = text_width(words, scale_);
+    const double right = picture_.width - width - 6.0 * scale_;
+    Name name{
+        {std::min(at.x + 11.0 * scale_, right), std::max(at.y - 13.0 * scale_, 4.0)}, width, words};
+    const double row = 13.0 * scale_;
+    const double step = name.corner.y < row * static_cast<double>(kNamed) ? row : -row;
+    while (const Name* other = below(name)) {
+      if (other->words == words) return;
+      name.corner.y = other->corner.y + step;
+    }
+    draw_rectangle(picture_,
+                   {{name.corner.x - 3.0 * scale_, name.corner.y - 2.0 * scale_},
+                    width + 6.0 * scale_,
+                    12.0 * scale_},
+                   {kWhite, 0.75});
+    draw_text(picture_, name.corner, words, {scale_, kVehicle});
+    names_.push_back(std::move(name));
+  }
+
+ private:
+  struct Name {
+    Spot corner;
+    double width;
+    std::string words;
+  };
+
+  const Name* below(const Name& name) const {
+    for (const Name& other : names_) {
+      if (std::abs(other.corner.y - name.corner.y) < 12.0 * scale_ &&
+          other.corner.x < name.corner.x + name.width + 6.0 * scale_ &&
+          name.corner.x < other.corner.x + other.width + 6.0 * scale_) {
+        return &other;
+      }
+    }
+    return nullptr;
+  }
+
+  Picture& picture_;
+  int scale_;
+  std::vector<Name> names_;
+};
 
 }  // namespace
 
@@ -110,7 +148,8 @@ void draw_ends(Picture& picture, const View& view, const PictureScene& scene,
   each(goal, [&](const Line&, Spot at, double share) { draw_goal(picture, at, scale, share); });
   const auto ways = std::count_if(lines.begin(), lines.end(), [](const Line& l) { return l.way; });
   if (ways > kNamed) return;
-  each(start, [&](const Line& line, Spot at, double) { draw_name(picture, at, line, scale); });
+  Names names(picture, scale);
+  each(start, [&](const Line& line, Spot at, double) { names.draw(at, line.id); });
 }
 
 void draw_zones(Picture& picture, const View& view, std::span<const Aabb> zones) {

@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include "picture/drawn.h"
+#include "support/small_map.h"
 
 namespace {
 
@@ -49,6 +51,31 @@ TEST(MapKey, StandsInItsBandAndLeavesTheMap) {
     return c != Colour{90, 90, 90};
   });
   EXPECT_EQ((grey - picture.colour.begin()) / 960, 960 - band);
+}
+
+// Pixels of letters and marks of ways from one start, with these ids.
+std::ptrdiff_t dark_pixels(const std::vector<std::string>& ids) {
+  const Aabb ground{{0, 0, 0}, {1000, 1000, 50}};
+  Picture picture{960, 960, std::vector<Colour>(960 * 960, Colour{255, 255, 255}), {}, {}};
+  std::vector<geom::picture::Line> lines;
+  for (const std::string& id : ids) {
+    lines.push_back({{{500, 500, 5}, {500, 500, 5}}, {}, 3, true, id});
+  }
+  const geom::BoxMap map = support::map_of(ground, {{{0, 0, 0}, {1, 1, 1}}});
+  geom::picture::draw_ends(picture, geom::picture::plan_view(ground, 960, 960),
+                           geom::picture::PictureScene(map, {}), lines);
+  return std::count_if(picture.colour.begin(), picture.colour.end(),
+                       [](const Colour& c) { return c.r < 60; });
+}
+
+TEST(MapKey, NamesOfWaysFromOneStartAreAllRead) {
+  const std::ptrdiff_t marks = dark_pixels({""});
+  const std::ptrdiff_t east = dark_pixels({"east"}) - marks;
+  const std::ptrdiff_t west = dark_pixels({"west"}) - marks;
+  EXPECT_GT(east, 20);
+  EXPECT_EQ(dark_pixels({"east", "west"}) - marks, east + west);
+  EXPECT_EQ(dark_pixels({"east", "east"}) - marks, east) << "a path and its trajectory";
+  EXPECT_EQ(dark_pixels({"east", "west", "east", "west"}) - marks, east + west);
 }
 
 TEST(MapKey, LettersAreAsWideAsTheyAreDrawn) {
