@@ -49,6 +49,7 @@ cli::Contents read(const Options& options, const geom::BoxMap* map,
                    const cli::ContentKinds& kinds = {}) {
   cli::Contents contents = cli::read_contents(options.inputs, kinds);
   if (map) cli::require_same_map(contents, map, options.metres);
+  if (map) cli::warn_of_unsaid_maps(options.common, contents);
   cli::tell_left_out(options.common, "skyway-plot", cli::drop_failed(contents));
   const auto other = [&](const auto& read) {
     return !options.id.empty() && read.record.id != options.id;
@@ -89,7 +90,6 @@ Drawn<Record> one_of(const std::vector<cli::Read<Record>>& list, const Options& 
 std::string plan(const Options& options) {
   const geom::BoxMap map = cli::open_map(options.map, geom::Verified::extents);
   const cli::Contents contents = read(options, &map);
-  cli::warn_of_unsaid_maps(options.common, contents);
   const geom::Axes axes = map.spec().frame.axes;
   return geom::figure::plan_view(map, plot::plan_trees(contents, axes),
                                  plot::plan_lines(contents, axes));

@@ -35,6 +35,13 @@ void require_metres(const geom::Frame& frame, const cli::Contents& contents) {
   }
 }
 
+void warn_of_unsaid_maps(const cli::Contents& contents) {
+  const bool said = std::none_of(contents.flights.begin(), contents.flights.end(),
+                                 [](const auto& read) { return read.record.map.empty(); });
+  const char* words = "a flight log does not say its map: it is drawn as if it were of this one";
+  if (!said && PyErr_WarnEx(PyExc_UserWarning, words, 1) < 0) throw py::error_already_set();
+}
+
 // What a file with the records would hold, all of it for `map` where there is one.
 cli::Contents contents_of(const BoxMap* map, const py::list& records) {
   cli::Contents out;
@@ -47,22 +54,8 @@ cli::Contents contents_of(const BoxMap* map, const py::list& records) {
     require_metres(map->spec().frame, out);
   }
   cli::require_same_map(out, map);
+  if (map) warn_of_unsaid_maps(out);
   return out;
-}
-
-// A map without obstacles and with some room around the lines.
-BoxMap empty_map(const std::vector<geom::figure::PlanLine>& lines) {
-  if (lines.empty()) throw py::value_error("records: expected something to draw, found none");
-  geom::Aabb bounds{lines.front().points.front(), lines.front().points.front()};
-  for (const geom::figure::PlanLine& line : lines) {
-    for (const geom::Vec3& p : line.points) {
-      bounds = {bounds.min.cwiseMin(p), bounds.max.cwiseMax(p)};
-    }
-  }
-  const double room = 0.1 + 0.05 * (bounds.max - bounds.min).maxCoeff();
-  bounds.min.array() -= room;
-  bounds.max.array() += room;
-  return BoxMap({.bounds = bounds, .bounds_from = "source", .history = "[]"}, {});
 }
 
 std::string plan_svg(const BoxMap* map, const py::list& records) {
@@ -71,7 +64,9 @@ std::string plan_svg(const BoxMap* map, const py::list& records) {
   const auto own = plot::provenance_of(contents).frame;
   const geom::Axes axes = map ? map->spec().frame.axes : own.value_or(geom::Axes::enu);
   const auto lines = plot::plan_lines(contents, axes);
-  return geom::figure::plan_view(map ? *map : empty_map(lines), {}, lines);
+  if (map) return geom::figure::plan_view(*map, {}, lines);
+  if (lines.empty()) throw py::value_error("records: expected something to draw, found none");
+  return geom::figure::plan_view(lines);
 }
 
 std::string profile_svg(const traj::TrajectoryRecord& record) {

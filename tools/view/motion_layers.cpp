@@ -4,6 +4,7 @@
 #include "knots.h"
 #include "layers.h"
 #include "traj/curve/yaw.h"
+#include "traj/figure/clearance.h"
 #include "traj/proof/clearance.h"
 #include "traj/record/duration_bound.h"
 
@@ -48,29 +49,6 @@ std::vector<std::size_t> spread(std::size_t rows, std::size_t count) {
   const std::size_t kept = std::min(rows, std::max<std::size_t>(count, 2));
   std::vector<std::size_t> out(kept);
   for (std::size_t i = 0; i < kept; ++i) out[i] = kept < 2 ? 0 : i * (rows - 1) / (kept - 1);
-  return out;
-}
-
-// Along the straight legs between all rows; of the legs between two `kept` ones the least.
-std::vector<traj::ClearanceSpan> clearance_of(const geom::CollisionScene& scene, geom::Axes axes,
-                                              const traj::FlightLog& log,
-                                              const std::vector<std::size_t>& kept) {
-  std::vector<Vec3> points;
-  std::vector<double> times;
-  for (const traj::FlightSample& s : log.samples) {
-    points.push_back(geom::to_enu(axes, s.position));
-    times.push_back(s.time - log.samples.front().time);
-  }
-  const auto legs = traj::clearance_profile(scene, points, times);
-  std::vector<traj::ClearanceSpan> out;
-  for (std::size_t k = 1; k < kept.size() && !legs.empty(); ++k) {
-    traj::ClearanceSpan span = legs[kept[k - 1]];
-    span.end = times[kept[k]];
-    for (std::size_t i = kept[k - 1]; i < kept[k]; ++i) {
-      span.clearance = std::min(span.clearance, legs[i].clearance);
-    }
-    out.push_back(span);
-  }
   return out;
 }
 
@@ -229,7 +207,7 @@ Json flight_layer(const cli::Read<traj::FlightLog>& read, std::size_t samples,
               {"summary", flight_summary(log)}};
   columns.write(out, bundle);
   if (const auto* scene = clearance.scene_for(made_for, read.source, read.line)) {
-    add_clearance(out, clearance_of(*scene, frame.axes, log, kept), bundle);
+    add_clearance(out, traj::figure::clearance_of(*scene, log, kept), bundle);
   }
   add_vehicle(out, clearance.vehicle(made_for), frame.axes);
   return out;

@@ -191,6 +191,40 @@ std::string counts_of(std::span<const PlanLine> lines) {
   return out;
 }
 
+bool is_beyond(const Aabb& bounds, const Vec3& low, const Vec3& high) {
+  return (low.head<2>().array() < bounds.min.head<2>().array()).any() ||
+         (high.head<2>().array() > bounds.max.head<2>().array()).any();
+}
+
+// Whether a box, a tree or a line reaches beyond the bounds, which are all that the page shows.
+bool any_beyond(const BoxMap& map, std::span<const PlanTree> trees,
+                std::span<const PlanLine> lines) {
+  const Aabb bounds = to_enu(map.spec().frame.axes, map.spec().bounds);
+  const auto outside = [&](const Vec3& p) { return is_beyond(bounds, p, p); };
+  for (const Aabb& box : map.boxes()) {
+    const Aabb shown = to_enu(map.spec().frame.axes, box);
+    if (is_beyond(bounds, shown.min, shown.max)) return true;
+  }
+  for (const PlanTree& tree : trees) {
+    for (const auto& [a, b] : tree.edges) {
+      if (outside(a) || outside(b)) return true;
+    }
+  }
+  return std::any_of(lines.begin(), lines.end(), [&](const PlanLine& line) {
+    return std::any_of(line.points.begin(), line.points.end(), outside);
+  });
+}
+
+// "31 boxes (2 there for a time, shown as always there), 1 path of 31.0 m"
+std::string title_of(const BoxMap& map, std::span<const PlanLine> lines, bool beyond) {
+  std::string out = counted(map.size(), "box", "boxes");
+  if (const std::size_t timed = map.timed().size()) {
+    out += fmt::format(" ({} there for a time, shown as always there)", timed);
+  }
+  out += counts_of(lines);
+  return beyond ? out + "; what is beyond the map's bounds is not shown" : out;
+}
+
 double key_width(std::span<const PlanLine> lines) {
   double out = kKey;
   for (const PlanLine& line : lines.first(std::min(lines.size(), kNamed))) {
@@ -241,18 +275,34 @@ std::string plan_view(const geom::BoxMap& map, std::span<const PlanTree> trees,
                       std::span<const PlanLine> lines) {
   const geom::Axes axes = map.spec().frame.axes;
   const Frame frame = frame_for(geom::to_enu(axes, map.spec().bounds));
-  const std::string title = geom::counted(map.size(), "box", "boxes") + counts_of(lines);
+  const bool beyond = any_beyond(map, trees, lines);
+  const std::string title = title_of(map, lines, beyond);
   Svg svg(std::max(frame.left + frame.width + key_width(lines),
                    frame.left + text_width(title, 16) + 20),
           frame.top + std::max(frame.height + 60, 470.0));
+  if (beyond) svg.clip(frame);
   draw_boxes(svg, frame, map);
   for (const PlanTree& tree : trees) draw_tree(svg, frame, tree);
   for (std::size_t i = 0; i < lines.size(); ++i) draw_line(svg, frame, lines[i], i);
   draw_ends(svg, frame, lines);
+  if (beyond) svg.unclip();
   svg.axes(frame, "east, m", "north, m");
   draw_key(svg, frame, map, lines);
   svg.text({frame.left, 32}, title, {.size = 16});
   return svg.str();
+}
+
+std::string plan_view(std::span<const PlanLine> lines) {
+  const Vec3& any = lines.front().points.front();
+  Aabb bounds{any, any};
+  for (const PlanLine& line : lines) {
+    for (const Vec3& p : line.points) bounds = {bounds.min.cwiseMin(p), bounds.max.cwiseMax(p)};
+  }
+  const double room = 0.1 + 0.05 * (bounds.max - bounds.min).maxCoeff();
+  bounds.min.array() -= room;
+  bounds.max.array() += room;
+  return plan_view(BoxMap({.bounds = bounds, .bounds_from = "source", .history = "[]"}, {}), {},
+                   lines);
 }
 
 }  // namespace geom::figure

@@ -132,6 +132,15 @@ void Svg::text_on_white(Point at, std::string_view words, const TextStyle& style
   text(at, words, style);
 }
 
+void Svg::clip(const Frame& frame) {
+  body_ += fmt::format(
+      "<clipPath id=\"frame\"><rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" "
+      "height=\"{:.2f}\"/></clipPath>\n<g clip-path=\"url(#frame)\">\n",
+      frame.left, frame.top, frame.width, frame.height);
+}
+
+void Svg::unclip() { body_ += "</g>\n"; }
+
 void Svg::grid(const Frame& f) {
   const std::string_view line = "stroke=\"#e6e6e6\" stroke-width=\"1\"";
   for (const double x : x_marks(f)) {

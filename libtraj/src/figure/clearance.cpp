@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "geom/text/excerpt.h"
+#include "geom/text/rounded.h"
 #include "shapes.h"
 #include "way_points.h"
 
@@ -46,7 +48,8 @@ Panel panel_of(const geom::CollisionScene& scene, const ClearanceTrack& track,
   panel.height = kHeight;
   panel.near = std::max(kNear, 2 * scene.margin());
   panel.marks = {{least, ""}};
-  panel.note = fmt::format("{}: least {:.3g} m at {:.4g} {}", track.id, least.y, least.x, unit);
+  panel.note = fmt::format("{}: least {:.3g} m at {:.4g} {}", track.id,
+                           geom::rounded_down(least.y, 3), least.x, unit);
   if (scene.margin() > 0) {
     panel.levels = {{fmt::format("margin {:g} m", scene.margin()), scene.margin()}};
     TooNear near = too_near(track, scene.margin());
@@ -69,25 +72,49 @@ std::vector<Vec3> points_of(const FlightLog& flight, geom::Axes axes) {
 
 ClearanceTrack clearance_track(const geom::CollisionScene& scene, const TrajectoryRecord& record) {
   const double step = step_of(duration(record.trajectory), kSecondsBetween);
-  return {"trajectory " + record.id, clearance_profile(scene, record.trajectory, step)};
+  return {"trajectory " + geom::excerpt(record.id),
+          clearance_profile(scene, record.trajectory, step)};
 }
 
 ClearanceTrack clearance_track(const geom::CollisionScene& scene, const FlightLog& flight) {
   std::vector<double> times;
   for (const FlightSample& s : flight.samples) times.push_back(s.time);
   const auto points = points_of(flight, scene.map().spec().frame.axes);
-  return {"flight " + flight.id, clearance_profile(scene, points, times)};
+  return {"flight " + geom::excerpt(flight.id), clearance_profile(scene, points, times)};
+}
+
+std::vector<ClearanceSpan> clearance_of(const geom::CollisionScene& scene, const FlightLog& flight,
+                                        std::span<const std::size_t> rows) {
+  std::vector<double> times;
+  for (const FlightSample& s : flight.samples) {
+    times.push_back(s.time - flight.samples.front().time);
+  }
+  const auto points = points_of(flight, scene.map().spec().frame.axes);
+  const auto legs = clearance_profile(scene, points, times);
+  std::vector<ClearanceSpan> out;
+  for (std::size_t k = 1; k < rows.size() && !legs.empty(); ++k) {
+    ClearanceSpan span = legs[rows[k - 1]];
+    span.end = times[rows[k]];
+    for (std::size_t i = rows[k - 1]; i < rows[k]; ++i) {
+      span.clearance = std::min(span.clearance, legs[i].clearance);
+    }
+    out.push_back(span);
+  }
+  return out;
 }
 
 ClearanceTrack clearance_track(const geom::CollisionScene& scene, const geom::PathRecord& path) {
   const double step = step_of(geom::length(path.points), kMetresBetween);
-  return {"path " + path.id, clearance_profile(scene, path.points, step)};
+  return {"path " + geom::excerpt(path.id), clearance_profile(scene, path.points, step)};
 }
 
 std::string clearance(const geom::CollisionScene& scene, std::span<const ClearanceTrack> tracks,
                       std::string_view x_label, std::string_view note) {
   Figure figure;
   figure.title = fmt::format("Clearance of {}{}", scene.vehicle().name, note);
+  if (!scene.map().timed().empty()) {
+    figure.title += " (boxes with a time count as always there)";
+  }
   figure.x_label = x_label;
   const std::string_view unit = x_label.substr(x_label.rfind(' ') + 1);
   for (const ClearanceTrack& track : tracks) {

@@ -7,6 +7,7 @@
 
 #include "geom/text/counted.h"
 #include "geom/text/excerpt.h"
+#include "geom/text/rounded.h"
 #include "home_band.h"
 #include "record/return_verdict.h"
 #include "shapes.h"
@@ -64,7 +65,7 @@ std::string height_words(const ReturnSummary& returns) {
   if (returns.action != "rtl") return "";
   if (returns.least_height) {
     return fmt::format("at {:.4g} m above home it is proved from every instant",
-                       *returns.least_height);
+                       geom::rounded_up(*returns.least_height));
   }
   if (returns.gains_by_height()) {
     return fmt::format("at {:.4g} m above home it is proved for {}, and at no height for more",
@@ -130,7 +131,8 @@ class Sheet {
     std::string out = geom::excerpt(first.autopilot);
     if (first.longest > 0) out += fmt::format("; a return may take {:.0f} s", first.longest);
     const std::string least = height_words(first);
-    return least.empty() ? out : out + "; " + least;
+    if (!least.empty()) out += "; " + least;
+    return out + "; what battery a return takes is not looked at";
   }
 
   Frame frame(double height, double low, double high) const {
@@ -154,7 +156,8 @@ class Sheet {
         out.emplace_back(one.home->z() + *height, fmt::format("{} {:.4g} m", what, *height));
       };
       add("return height", one.height);
-      if (one.least_height != one.height) add("least return height", one.least_height);
+      const auto& least = one.least_height;
+      if (least && least != one.height) add("least return height", geom::rounded_up(*least));
       if (one.gains_by_height()) add("best return height", one.best_height);
     }
     return out;

@@ -5,6 +5,7 @@
 
 #include "geom/text/counted.h"
 #include "geom/text/excerpt.h"
+#include "geom/text/rounded.h"
 #include "home_band.h"
 #include "shapes.h"
 #include "traj/figure/home.h"
@@ -40,7 +41,7 @@ std::string label_of(const std::string& id) {
 
 // "74.5 m", or the best where none is enough: "90 m: 81.2 %".
 std::string height_words(const ReturnSummary& returns) {
-  if (returns.least_height) return fmt::format("{:.4g} m", *returns.least_height);
+  if (returns.least_height) return fmt::format("{:.4g} m", geom::rounded_up(*returns.least_height));
   if (!returns.gains_by_height()) return "none";
   return fmt::format("{:.4g} m: {}", *returns.best_height, percent(*returns.best_share));
 }
@@ -118,8 +119,10 @@ std::string all_words(std::span<const Row> rows, std::optional<TimeSpans> Row::*
 void draw_table_head(Svg& svg, std::span<const Row> rows, std::size_t flights) {
   svg.text({20, 26}, geom::counted(flights, "flight") + ", the smallest share first", {.size = 16});
   double y = 50;
-  for (const std::string& words : {all_words(rows, &Row::returns, "A return is proved"),
-                                   all_words(rows, &Row::ways, "There is a planned way home")}) {
+  std::string returned = all_words(rows, &Row::returns, "A return is proved");
+  if (!returned.empty()) returned += "; what battery it takes is not looked at";
+  for (const std::string& words :
+       {returned, all_words(rows, &Row::ways, "There is a planned way home")}) {
     if (words.empty()) continue;
     svg.text({20, y}, words);
     y += 18;

@@ -483,6 +483,13 @@ def test_flight_logs(out):
     tool("skyway-import-flight", "-q", source_dir / "tests/golden/data/hop.ulg", "-o", f"{out}/hop.csv")
     log = skyway.read_flight_logs(f"{out}/hop.csv")[0]
     assert len(log) == 61 and 0.7 < log.battery[-1] < log.battery[0] <= 0.9 and not log.cut
+    room = skyway.BoxMap([[-50, -50, -5, -40, -40, 9]], bounds=[[-60, -60, -5], [60, 60, 60]])
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        skyway.plot_plan(room, log)
+        skyway.page(room, log)
+        skyway.plot_clearance(skyway.CollisionScene(room, VEHICLE), log)
+    assert len(said) == 3 and all("does not say its map" in str(one.message) for one in said), said
     asked = ~numpy.isnan(log.setpoint_position)
     assert not asked[:20].any() and asked[22:].all() and not numpy.isnan(log.position).any()  # from take-off on
 

@@ -32,4 +32,7 @@ struct PlanTree {
 std::string plan_view(const geom::BoxMap& map, std::span<const PlanTree> trees,
                       std::span<const PlanLine> lines);
 
+// The lines alone, with some room around them. One of them has a point (precondition).
+std::string plan_view(std::span<const PlanLine> lines);
+
 }  // namespace geom::figure

@@ -48,6 +48,9 @@ class Svg {
   void circle(Point center, double radius, std::string_view style);
   void text(Point at, std::string_view words, const TextStyle& style = {});
   void text_on_white(Point at, std::string_view words, const TextStyle& style = {});
+  // What is drawn until unclip() is seen within the frame only; once a page.
+  void clip(const Frame& frame);
+  void unclip();
   // Faint lines at the ticks; drawn before what stands on them.
   void grid(const Frame& frame);
   // Border, ticks at round values of x, and its label with the unit.

@@ -33,6 +33,11 @@ ClearanceTrack clearance_track(const geom::CollisionScene& scene, const Trajecto
 ClearanceTrack clearance_track(const geom::CollisionScene& scene, const FlightLog& flight);
 ClearanceTrack clearance_track(const geom::CollisionScene& scene, const geom::PathRecord& path);
 
+// Of a flight in steps between some of its `rows` (ascending), from the first row of the log on: of
+// the straight legs between all rows in a step the least. Empty on a map without obstacles.
+std::vector<ClearanceSpan> clearance_of(const geom::CollisionScene& scene, const FlightLog& flight,
+                                        std::span<const std::size_t> rows);
+
 // An SVG of the least distances as steps, for the vehicle and the margin of the scene; those over
 // 50 m are shown as that. The last metre (or twice the margin) has nearly half of the height; what
 // is less than the margin, by more than a millimetre, is shaded and said. Each track has a span
