@@ -89,7 +89,10 @@ int main(int argc, char** argv) {
     if (contents.map) cli::warn_of_unsaid_maps(common, contents);
     drone_files.require_any_used(app, contents.drone_flights);
     const bool moves = !contents.trajectories.empty() || !contents.flights.empty();
-    cli::only_for(app, moves, {"--margin"}, "trajectories and flight logs");
+    const char* needs = "trajectories and flight logs over a map";
+    cli::only_for(app, moves && contents.map, {"--margin"}, needs);
+    cli::only_for(app, moves || !contents.drone_flights.empty(), {"--vehicle"},
+                  "trajectories, flight logs and drone files");
     std::optional<view::Frames> frames;
     if (!pictures.names.empty()) frames = view::read_frames(pictures);
     view::Bundle bundle;

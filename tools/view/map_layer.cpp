@@ -58,6 +58,7 @@ Json map_layer(const geom::BoxMap& map, const LocalFrame& frame, Bundle& bundle)
               {"max", as_json(bounds.max)}, {"bounds_from", spec.bounds_from},
               {"labels", map.labels()},     {"colours", written_colours(map.labels())}};
   out.update(box_layer(map, frame, bundle));
+  if (!map.timed().empty()) out["timed"] = map.timed().size();
   if (spec.frame.origin) {
     out["latitude"] = spec.frame.origin->latitude;
     out["longitude"] = spec.frame.origin->longitude;

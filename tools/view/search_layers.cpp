@@ -63,6 +63,8 @@ Json corridor_layer(const traj::CorridorShape& corridor, const LocalFrame& frame
 Json report_layer(const traj::ReportSummary& report, const LocalFrame& frame) {
   Json out = {{"id", report.id}, {"checked", report.checked}, {"ok", report.ok}};
   if (!report.ok) out["reason"] = report.reason;
+  if (!report.rests_on.empty()) out["rests"] = report.rests_on;
+  if (report.overridden) out["overridden"] = true;
   if (report.time) out["time"] = *report.time;
   if (report.place) out["place"] = as_json(frame.at(*report.place));
   if (report.worst) out["worst"] = *report.worst;

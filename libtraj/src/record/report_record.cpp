@@ -1,17 +1,23 @@
 #include "traj/record/report_record.h"
 
+#include <fmt/format.h>
+
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "geom/text/json_fields.h"
 #include "geom/text/json_line.h"
 #include "geom/zone/zone_report.h"
+#include "record/rests_on.h"
 #include "traj/record/duration_bound.h"
 
 namespace traj {
 namespace {
 
 using geom::JsonLine;
+
+constexpr double kSameDuration = 1e-9;  // rounding, of a duration
 
 // Nothing of what was not measured.
 void add_extreme(JsonLine& line, const std::string& key, const std::optional<Extreme>& extreme) {
@@ -286,7 +292,31 @@ ReportSummary parse_report_record(std::string_view json, std::string_view source
   }
   report.provenance = geom::read_provenance(fields);
   report.limits = geom::read_limits(fields);
+  report.start = geom::read_flight_time(fields);
+  report.by_time = fields.text("timed_boxes", "") == "by_time";
+  RestsOn rests = read_rests_on(fields, source, line);
+  report.overridden = !rests.overridden.empty();
+  if (const auto& r = report.returns) {
+    rests.returns = {r->action, r->autopilot, r->height, r->least_height};
+  }
+  if (report.ok) report.rests_on = in_words(rests);
   return report;
+}
+
+std::optional<std::string> why_not_of(const ReportSummary& report,
+                                      const TrajectoryRecord& trajectory) {
+  if (report.checked != "trajectory") return std::nullopt;
+  const double lasts = duration(trajectory.trajectory);
+  if (report.duration && !(std::abs(*report.duration - lasts) <= kSameDuration * lasts)) {
+    return fmt::format("it lasts {:.6g} s, and the report is of one of {:.6g} s", lasts,
+                       *report.duration);
+  }
+  const double starts = trajectory.time.starts();
+  if (report.by_time && report.start.starts() != starts) {
+    return fmt::format("it starts at {:.9g} s, and the report holds for a start at {:.9g} s",
+                       starts, report.start.starts());
+  }
+  return std::nullopt;
 }
 
 }  // namespace traj

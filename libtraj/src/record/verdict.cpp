@@ -11,6 +11,7 @@
 #include "geom/text/excerpt.h"
 #include "geom/text/rounded.h"
 #include "record/fault_verdict.h"
+#include "record/rests_on.h"
 #include "record/return_verdict.h"
 
 namespace traj {
@@ -69,37 +70,6 @@ std::string clearance_in_words(const ReportRecord& report) {
   return fmt::format(", at least {:.4g} m from every obstacle ({} {:.4g}{})",
                      geom::rounded_down(least), path ? "on leg" : "at",
                      path ? std::floor(clearance->time) : clearance->time, path ? "" : " s");
-}
-
-std::string allowance(std::string_view of, const std::array<double, 2>& metres) {
-  return fmt::format("{} of {:.4g} m across and {:.4g} m up or down", of, metres[0], metres[1]);
-}
-
-// The autopilots that a drone file was looked at for, and what was taken for the vehicle's errors.
-void add_flown(const ReportRecord& report, std::vector<std::string>& out) {
-  if (!report.autopilot.empty()) out.push_back("as flown by " + report.autopilot);
-  if (!report.assumed.empty()) {
-    out.push_back(fmt::format("{} not given and assumed",
-                              geom::counted(report.assumed.size(), "parameter", "parameters")));
-  }
-  std::vector<std::string> errors;
-  if (report.navigation) {
-    errors.push_back(allowance("an error of its own place", *report.navigation));
-  }
-  if (report.tracking) errors.push_back(allowance("straying", *report.tracking));
-  if (!errors.empty()) {
-    out.push_back(fmt::format("allowed for {}", fmt::join(errors, ", and ")));
-  }
-}
-
-std::string returns_allowed_in_words(const ReturnReport& returns) {
-  std::string out = fmt::format("{} is clear from every instant as {} flies it", returns.action,
-                                returns.autopilot);
-  if (returns.least_height) {
-    out += fmt::format(" (at {:.4g} m above home; {:.4g} m would do)", returns.height,
-                       geom::rounded_up(*returns.least_height));
-  }
-  return out + ", if the battery lasts";
 }
 
 std::string accepted_in_words(const ReportRecord& report) {
@@ -245,22 +215,7 @@ std::string in_words(const TubeReport& tube, geom::Provenance over, const geom::
 
 std::string rests_on_in_words(const ReportRecord& report) {
   if (!accepted(report)) return "";
-  if (report.checked == kCheckedContingency) return report.detail;
-  std::vector<std::string> out;
-  if (report.exact) out.push_back("proved again in exact numbers");
-  add_flown(report, out);
-  if (report.returns) out.push_back(returns_allowed_in_words(*report.returns));
-  if (report.tube) out.push_back("clear with " + in_words(report.tube->claim));
-  std::vector<std::string> missing;
-  for (const Limit limit : not_measured(report.result, report.limits)) {
-    missing.push_back(spoken(kind_of(limit).quantity));
-  }
-  if (!missing.empty()) out.push_back(fmt::format("not measured: {}", fmt::join(missing, ", ")));
-  if (!report.overridden.empty()) {
-    out.push_back(fmt::format("looser than its record says (--override or --spare): {}",
-                              fmt::join(report.overridden, ", ")));
-  }
-  return fmt::format("{}", fmt::join(out, "; "));
+  return in_words(rests_on(report));
 }
 
 std::string in_words(const ReportRecord& report, const geom::BoxMap& map) {

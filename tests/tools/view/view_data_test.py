@@ -364,6 +364,22 @@ def check_approaches(page, records, fleet):
         assert math.isnan(distance) or abs(math.hypot(across, up) - distance) < 1e-5 * max(1, distance)
 
 
+def check_reports_of_others(folder, record):
+    """A report of another trajectory of the same id says nothing of what is shown: refused."""
+    run("skyway-check", "-q", folder / "map", folder / "trajectory", "-o", folder / "own", yes=False)
+    slower = {**record, "duration": 2 * record["duration"], "segments": [{**s, "duration": 2 * s["duration"]} for s in record["segments"]]}
+    (folder / "slower").write_text(json.dumps(slower) + "\n")
+
+    def shown(*files):
+        done = subprocess.run([str(bin_dir / "skyway-view"), *map(str, files), "-o", folder / "others.html"], text=True, capture_output=True)
+        return done.returncode, done.stderr
+
+    assert shown(folder / "map", folder / "trajectory", folder / "own") == (0, "")
+    assert shown(folder / "map", folder / "slower", folder / "trajectory", folder / "own") == (0, "")  # it is of one of them
+    code, said = shown(folder / "map", folder / "slower", folder / "own")
+    assert code == 3 and "own:1: expected a report of the trajectory" in said and "found one of another: it lasts" in said, said
+
+
 def check_home(folder, record):
     """Returns of a report and planned ways, turned like all else; what is not said is not there."""
     run("skyway-check", folder / "map", folder / "trajectory", "-q", "--return", "--home-place", "5,30,0", "--return-height", "12",
@@ -465,6 +481,7 @@ def main(folder):
     assert (folder / "again.html").read_bytes() == page_file.read_bytes()
     check_imported(folder)
     check_home(folder, record)
+    check_reports_of_others(folder, record)
     check_levels(folder)
     check_tubes(folder, hop())
     check_fleet(folder)

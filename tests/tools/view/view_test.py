@@ -685,6 +685,33 @@ def lists_homes_of_fleet(browser, folder, page):
     viewer.picture("fleet-home")
 
 
+def says_of_how_many(browser, folder, page):
+    """A flight without a report did not pass, and what a yes rests on stands beside it: looser margins, a simulation."""
+    flights = (folder / "fleet.flights").read_text().splitlines()[:3]
+    (folder / "three").write_text("\n".join(flights) + "\n")
+    (folder / "first").write_text(flights[0] + "\n")
+    margin = 0.5 * json.loads(flights[0]).get("margin", 0) if json.loads(flights[0]).get("margin") else None
+    looser = ["--override", "--vehicle", "box:0.01,0.01,0.01"] if margin is None else ["--override", "--margin", margin]
+    run("skyway-check", "-q", folder / "houses", folder / "three", *looser, "-o", folder / "loose.report")
+    run("skyway-check", "-q", folder / "houses", folder / "first", "-o", folder / "first.report")
+    run("skyway-view", folder / "houses", folder / "three", folder / "first.report", "-o", page)
+    said = "return [...document.querySelectorAll('.summary-panel .verdict-line')].map(l => [l.className, l.textContent])"
+    title = "return [...document.querySelectorAll('.mission .good, .mission .bad')].map(l => l.title)"
+    viewer = Viewer(browser, page)
+    kind, words = browser.run(said)[1]
+    assert "soft" in kind and words == "1 of 3 flights passed the check against the map. Of the others there is no report.", (kind, words)
+    assert browser.run(title) == ["The trajectory passed the check against the map"]
+    run("skyway-view", folder / "houses", folder / "three", folder / "loose.report", "-o", page)
+    viewer = Viewer(browser, page)
+    kind, words = browser.run(said)[1]
+    assert "good" in kind and words.startswith("✓All 3 flights passed") and "less strict than the records say" in words, (kind, words)
+    assert "less strict" in browser.run("return document.getElementById('summary').textContent")
+    browser.run("[...document.querySelectorAll('[role=tab]')].find(t => t.textContent === 'Checks').click()")
+    rests = browser.run("return [...document.querySelectorAll('.check .rests')].map(l => l.textContent)")
+    assert len(rests) == 3 and all("ooser than its record says (--override or --spare): vehicle" in words for words in rests), rests
+    viewer.picture("less-strict")
+
+
 def finds_flights(viewer):
     browser, listed = viewer.browser, "return [...document.querySelectorAll('.mission')].map(b => b.dataset.mission)"
     assert len(browser.run(listed)) == 120
@@ -872,6 +899,7 @@ def main(folder):
         shows_missions(browser, folder, page)
         shows_fleet(browser, folder, page)
         lists_homes_of_fleet(browser, folder, page)
+        says_of_how_many(browser, folder, page)
         sets_refused_apart(browser, folder, page)
         shows_buildings(browser, folder, page)
         shows_room(browser, folder, page)

@@ -6,6 +6,7 @@
 
 #include "geom/base/error.h"
 #include "support/reading.h"
+#include "traj/record/verdict.h"
 #include "traj/scenes.h"
 
 namespace traj {
@@ -45,6 +46,67 @@ TEST(ReportSummary, ReadsWhatTheCheckWrote) {
   EXPECT_EQ(back.extremes[1].value, 7.5);
   EXPECT_EQ(back.provenance.margin, 0.25);
   EXPECT_EQ(back.limits[Limit::speed], 8);
+}
+
+TEST(ReportSummary, SaysWhatAYesRestsOn) {
+  const geom::BoxMap map({.bounds = {{0, 0, 0}, {9, 9, 9}}}, {});
+  ReportRecord record{"m", "path", {.ok = true}, {}, {{Limit::jerk, 8}}};
+  record.result.looked = true;
+  record.result.reason = Reason::none;
+  record.exact = ExactResult{.ok = true};
+  record.autopilot = "PX4";
+  record.assumed = {"A", "B"};
+  record.navigation = {{1, 2}};
+  record.tracking = {{0.5, 0.25}};
+  record.overridden = {"vmax", "vehicle"};
+  record.returns = ReturnReport{.action = "rtl", .autopilot = "PX4", .height = 30, .duration = 4};
+  record.returns->least_height = 25;
+  record.tube = TubeReport{.claim = {.largest = 0.5, .tilt = 0.1}, .check = {.clear = true}};
+  const std::string written = rests_on_in_words(record);
+  EXPECT_NE(written.find("if the battery lasts"), std::string::npos);
+  EXPECT_NE(written.find("not measured: jerk"), std::string::npos);
+  EXPECT_NE(written.find("looser than its record says (--override or --spare): vmax, vehicle"),
+            std::string::npos);
+  const ReportSummary back = parse_report_record(to_json_line(record, map), "r.jsonl", 1);
+  EXPECT_EQ(back.rests_on, written);
+  EXPECT_TRUE(back.overridden);
+}
+
+TEST(ReportSummary, SaysThatASimulationAndALogAreNoProofs) {
+  const auto rests = [](const char* line) {
+    return parse_report_record(line, "r.jsonl", 1).rests_on;
+  };
+  EXPECT_EQ(rests(R"({"type":"flight","id":"q","ok":true})"),
+            "one simulated flight, not a proof, and not held against a map");
+  EXPECT_EQ(rests(R"({"type":"flight","id":"q","ok":true,"clear":true})"),
+            "one simulated flight, not a proof");
+  EXPECT_EQ(rests(R"({"type":"report","id":"q","ok":true,"verdict":"sampled",)"
+                  R"("checked":"flight log","longest_step":0.25,"overridden":["map"]})"),
+            "at the samples of a log and straight between them: what the vehicle did between, up "
+            "to 0.25 s, was not measured; the log does not say its map, and was taken for this "
+            "one (--override)");
+  EXPECT_EQ(
+      rests(R"({"type":"report","id":"q","ok":false,"reason":"speed","overridden":["vmax"]})"), "");
+}
+
+TEST(ReportSummary, IsOfATrajectoryOfItsDurationAndItsStart) {
+  TrajectoryRecord flight;
+  flight.id = "q";
+  flight.trajectory.segments.resize(1);
+  flight.trajectory.segments[0].duration = 4;
+  const auto why = [&](const char* line) {
+    return why_not_of(parse_report_record(line, "r.jsonl", 1), flight).value_or("");
+  };
+  EXPECT_EQ(why(R"({"type":"report","id":"q","ok":true,"checked":"trajectory","duration":4})"), "");
+  EXPECT_EQ(why(R"({"type":"report","id":"q","ok":true,"checked":"trajectory","duration":5})"),
+            "it lasts 4 s, and the report is of one of 5 s");
+  EXPECT_EQ(why(R"({"type":"report","id":"q","ok":true,"checked":"contingency","duration":5})"),
+            "");
+  const char* timed = R"({"type":"report","id":"q","ok":true,"checked":"trajectory","duration":4,)"
+                      R"("timed_boxes":"by_time","start":60})";
+  EXPECT_EQ(why(timed), "it starts at 0 s, and the report holds for a start at 60 s");
+  flight.time.start = 60;
+  EXPECT_EQ(why(timed), "");
 }
 
 TEST(ReportSummary, SaysNothingOfWhatIsNotFinite) {

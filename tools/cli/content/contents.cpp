@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -190,6 +191,24 @@ void require_metres(const Contents& contents, const geom::Frame& frame,
   }
 }
 
+// A report is of one of the trajectories of its id, where there are some.
+void require_of_shown(const Contents& contents) {
+  std::multimap<std::string_view, const traj::TrajectoryRecord*> shown;
+  for (const auto& read : contents.trajectories) shown.emplace(read.record.id, &read.record);
+  for (const auto& [report, source, line] : contents.reports) {
+    std::optional<std::string> why;
+    const auto [first, last] = shown.equal_range(report.id);
+    for (auto it = first; it != last && (it == first || why); ++it) {
+      why = traj::why_not_of(report, *it->second);
+    }
+    if (!why) continue;
+    throw geom::InputError(source, line,
+                           {.expected = "a report of the trajectory " + geom::in_quotes(report.id),
+                            .found = "one of another: " + *why,
+                            .advice = "check it anew with skyway-check"});
+  }
+}
+
 }  // namespace
 
 Contents read_contents(const std::vector<std::string>& inputs, const ContentKinds& kinds) {
@@ -233,6 +252,7 @@ void require_same_map(const Contents& contents, const geom::BoxMap* map,
   for (const auto& [record, source, line] : contents.together) {
     if (record.map) same.require_exactly({*record.map, {}, {}, {}}, source, line);
   }
+  require_of_shown(contents);
 }
 
 void warn_of_unsaid_maps(const Common& common, const Contents& contents) {

@@ -70,7 +70,8 @@ Contents read_contents(const std::vector<std::string>& inputs, const ContentKind
 // Throws geom::InputError where something was made for another map than `map` or, without one, than
 // the first that names its map; and where it is in another frame than `map`. Paths, trajectories
 // and flight logs may be of `map` before boxes that are there for a time were added (named_map.h);
-// what says that something is free or clear, as reports do, may not. `metres` refuses paths,
+// what says that something is free or clear, as reports do, may not. Nor may a report be of another
+// trajectory than those of its id. `metres` refuses paths,
 // trajectories and flight logs whose coordinates look like degrees on `map`.
 void require_same_map(const Contents& contents, const geom::BoxMap* map,
                       const MetresOption& metres = MetresOption());

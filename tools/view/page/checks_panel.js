@@ -20,6 +20,17 @@ const reasons = { collision: "collides with an obstacle", bounds: "leaves the bo
 // Refused for its ways home alone.
 function isOfHome(check) { return check.checked === "contingency" || (check.reason === "return" && Boolean(check.return) && !check.place); }
 
+// Of the check against the map, not of a simulation or of planned ways home.
+function isOfMap(check) { return ["trajectory", "path", "flight log"].includes(check.checked); }
+
+// What is said where accepted records were held to less than they ask for; may be empty.
+function looseWords(checks) {
+  const loose = checks.filter(c => c.ok && c.overridden).length;
+  return loose ? ` ${loose === checks.length ? "" : `Of ${decimals(loose, 0)} of them, `}${loose === checks.length ? "V" : "v"}ehicle, margin, limits or map were taken as less strict than ${loose === 1 ? "the record says" : "the records say"}.` : "";
+}
+
+const checkedWords = { contingency: "planned ways home", flight: "simulated flight" };
+
 function whyOf(check) {
   if (check.checked === "contingency") return check.detail || "not every instant has a planned way home";
   return isOfHome(check) ? "a return is not proved from every instant (Ways home)" : reasons[check.reason] || check.reason;
@@ -84,9 +95,10 @@ function checkCard(check) {
   return element("article", { class: `check ${check.ok ? "ok" : "failed"}` },
     element("h3", {}, check.id, element("span", { class: `verdict ${check.ok ? "good" : "bad"}` },
       `${check.ok ? "✓" : "✕"} ${words}`)),
-    element("p", { class: "soft" }, [isMission(check) ? "mission" : check.checked === "contingency" ? "planned ways home" : check.checked || "record", check.duration ? `, ${withUnit(check.duration, 2, "s")}` : "",
+    element("p", { class: "soft" }, [isMission(check) ? "mission" : checkedWords[check.checked] || check.checked || "record", check.duration ? `, ${withUnit(check.duration, 2, "s")}` : "",
       check.slower ? `, ${check.slower} (if no path is shorter than the record claims)` : "",
       check.exact === undefined ? "" : `; exact check ${check.exact ? "passed" : "failed"}`].join("")),
+    check.ok && check.rests ? element("p", { class: `rests${check.overridden ? " bad" : ""}` }, `${check.rests[0].toUpperCase()}${check.rests.slice(1)}.`) : null,
     where, checkTable(check),
     !check.ok && check.place ? element("button", { type: "button", onclick: () => goToFailure(check) }, "Show the place") : null);
 }
@@ -95,6 +107,6 @@ function makeChecksPanel() {
   const order = meta.reports.filter(r => !isOfRefused(r)).sort((a, b) => a.ok - b.ok);
   const failed = order.filter(r => !r.ok).length;
   return element("div", {}, order.length ? sentence(failed ? ["bad", "✕", order.length === 1 ? "The check failed"
-    : `${decimals(failed, 0)} of ${count(order.length, "check")} failed`] : ["good", "✓", order.length === 1 ? "The check passed" : `All ${count(order.length, "check")} passed`]) : null, refusedNote(), order.slice(0, 200).map(checkCard),
+    : `${decimals(failed, 0)} of ${count(order.length, "check")} failed`] : ["good", "✓", (order.length === 1 ? "The check passed." : `All ${count(order.length, "check")} passed.`) + looseWords(order)]) : null, refusedNote(), order.slice(0, 200).map(checkCard),
   order.length > 200 ? element("p", { class: "soft" }, `and ${decimals(order.length - 200, 0)} more that passed`) : null);
 }

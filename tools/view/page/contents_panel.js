@@ -9,6 +9,7 @@ function mapFacts() {
   const size = [0, 1, 2].map(k => decimals(map.max[k] - map.min[k], 0)).join(" × ");
   return facts([
     ["Boxes", decimals(map.boxes, 0)],
+    ["There for a time only", map.timed ? `${decimals(map.timed, 0)}, shown and counted as always there` : null],
     ["Bounds", `${size}${thinSpace}m`],
     ["Lower corner", place(...map.min)],
     ["Upper corner", place(...map.max)],
@@ -62,14 +63,18 @@ function summaryWords() {
   const planned = motions.filter(m => m.word === "planned").length;
   if (planned) words.push(count(planned, "trajectory", "trajectories"));
   if (flights) words.push(count(flights, "flight"));
-  const checks = meta.reports.filter(r => !isOfRefused(r)), failed = checks.filter(r => !r.ok).length;
+  const checks = meta.reports.filter(r => !isOfRefused(r) && r.checked !== "flight"), failed = checks.filter(r => !r.ok).length;
+  const loose = checks.some(r => r.ok && r.overridden) || (together && together.check && together.check.overridden);
   if (checks.length) words.push(failed && checks.length === 1 ? "the check failed" : failed ? `${decimals(failed, 0)} of ${count(checks.length, "check")} failed`
     : `${count(checks.length, "check")} passed`);
+  const simulated = meta.reports.filter(r => r.checked === "flight"), lost = simulated.filter(r => !r.ok).length;
+  if (simulated.length) words.push(lost ? `${decimals(lost, 0)} of ${count(simulated.length, "simulation")} failed` : `${count(simulated.length, "simulation")} passed`);
   const returned = [...homes.values()].filter(h => h.returned);
   if (returned.length === 1) words.push(`return proved for ${shareWords(returned[0].returned.share)} of the time`);
   else if (returned.length) words.push(`return proved from every instant of ${decimals(returned.filter(h => !h.returned.gaps.length).length, 0)} of ${count(returned.length, "flight")}`);
   if (together && together.check) words.push(!together.check.refused ? `${count(together.check.pairs, "pair")} proved apart`
     : `${decimals(together.check.refused, 0)} of ${count(together.check.pairs, "pair")} not proved apart`);
+  if (loose) words.push("less strict than records say");
   if (together && together.check && together.check.left_out) words.push(`${count(together.check.left_out, "flight")} refused`);
   return words.join(" · ");
 }

@@ -40,14 +40,14 @@ class Home {
 
   // "proved": the autopilot's return; "planned": only a planned way; "none".
   kindAt(t) {
-    if (this.returned && !this.gapAt(t)) return "proved";
+    if (this.returned && t <= this.returned.duration + homeTouching && !this.gapAt(t)) return "proved";
     return this.planned.some(([from, until]) => from <= t && t <= until) ? "planned" : "none";
   }
 
   // The flight in parts of one kind: [{ from, until, kind }], ascending.
   partsOf() {
     const gaps = this.returned ? this.returned.gaps.map(g => [g.from, g.until]) : [];
-    const cuts = [0, this.duration, ...gaps.flat(), ...this.planned.flat()].filter(t => t >= 0 && t <= this.duration);
+    const cuts = [0, this.duration, ...gaps.flat(), ...this.planned.flat(), ...(this.returned ? [this.returned.duration] : [])].filter(t => t >= 0 && t <= this.duration);
     cuts.sort((a, b) => a - b);
     const out = [];
     for (let i = 1; i < cuts.length; ++i) {

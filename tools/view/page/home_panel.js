@@ -28,9 +28,12 @@ function returnFacts(returned) {
   ]);
 }
 
+// Metres that are enough stay enough with the digits of shortMetres.
+function roundedUp(value) { const step = value < 10 ? 100 : 10; return Math.ceil(value * step - 1e-6) / step; }
+
 // The least return height that makes all of it safe, or the best there is.
 function heightWords({ least_height, best_height, best_share, share }) {
-  if (least_height !== undefined) return `${shortMetres(least_height)}${thinSpace}m above home`;
+  if (least_height !== undefined) return `${shortMetres(roundedUp(least_height))}${thinSpace}m above home`;
   return !(best_share > share) ? "no height" : `no height; at ${shortMetres(best_height)}${thinSpace}m for ${shareWords(best_share)}`;
 }
 
@@ -83,7 +86,7 @@ function homeDetails(home) {
   if (home.ways.length) parts.push(sentence(waysVerdict(home)), wayTable(home));
   if (home.ways.some(w => w.points && !w.energy)) parts.push(element("p", { class: "soft" }, "Energy is not known: no latest departure is said."));
   parts.push(element("p", { class: "soft" }, "Proved holds for every place where the autopilot may be then: braking, climb, way, descent and landing. " +
-    "The thin line is a sketch of one return."));
+    `The thin line is a sketch of one return.${home.returns.length ? " No proof of a return looks at the battery." : ""}`));
   return parts.filter(Boolean);
 }
 
@@ -96,7 +99,7 @@ function makeHomeList() {
   const rows = order.slice(0, listedGaps).map(([share, home]) => element("tr", { "data-home": home.id },
     element("td", {}, home.mission ? element("button", { type: "button", class: "link", onclick: () => selection.choose(home.mission) }, home.id) : home.id),
     element("td", { class: share < 1 ? "bad" : "good" }, shareWords(share)),
-    element("td", {}, !home.returned || home.returned.action !== "rtl" ? "–" : home.returned.least_height === undefined ? "none" : `${shortMetres(home.returned.least_height)}${thinSpace}m`)));
+    element("td", {}, !home.returned || home.returned.action !== "rtl" ? "–" : home.returned.least_height === undefined ? "none" : `${shortMetres(roundedUp(home.returned.least_height))}${thinSpace}m`)));
   selection.follow(() => { for (const row of rows) row.classList.toggle("chosen", Boolean(selection.mission) && row.dataset.home === selection.mission.id); });
   return element("section", {}, element("h2", {}, `${decimals(whole, 0)} of ${count(order.length, "flight")} always have a way home`),
     element("p", { class: "soft" }, `${shareWords(time > 0 ? held / time : 0)} of the time of all.`),
@@ -126,7 +129,7 @@ function homeNowWords() {
   if (!home) return "Nothing is known of this flight.";
   if (t === null) return home.motion ? "" : `There is no motion to follow in time.${home.returned ? " Crosses stand at what a return would meet." : ""}`;
   const words = [], gap = home.gapAt(t), way = home.wayAt(t);
-  if (home.returned) words.push(gap ? `No return is proved: ${gapWords(gap)}.` : "The return is proved.");
+  if (home.returned) words.push(gap ? `No return is proved: ${gapWords(gap)}.` : home.kindAt(t) === "proved" ? "The return is proved." : "The report ends before: no return is proved.");
   if (way) {
     words.push(`Planned: to ${way.site}${way.duration === undefined ? "" : `, at most ${withUnit(way.duration, 0, "s")}`}; a way home for ${withUnit(home.left(t), 1, "s")} more.`);
   } else if (home.ways.length) words.push("No planned way home.");

@@ -50,7 +50,8 @@ function boxLayer() {
     [["height", "height of the top"], ...(boxes.map.label ? [["label", "label"]] : [])], boxes.usualColour(), show));
   theme.follow(() => show(shown));
   return layer("Obstacles", count(boxes.count, "box", "boxes"), boxes.mesh, [boxes.map.label ? by : null, legend,
-    boxes.hasZones ? element("ul", { class: "keys" }, element("li", {}, swatch("var(--zone)"), element("span", {}, "keep-out, seen through"))) : null]);
+    boxes.hasZones ? element("ul", { class: "keys" }, element("li", {}, swatch("var(--zone)"), element("span", {}, "keep-out, seen through"))) : null,
+    boxes.map.timed ? element("p", { class: "soft" }, `${count(boxes.map.timed, "box is", "boxes are")} there for a time only, and shown always.`) : null]);
 }
 
 function labelKeys(boxes) {

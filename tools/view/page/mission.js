@@ -12,6 +12,20 @@ class Mission {
   // The motion to show first: flown where `flown` asks for it and there is one.
   motion(flown) { return this.motions.find(m => m.isFlight === flown) || this.motions[0] || null; }
 
+  // What is shown of it, in the words of reports: [["trajectory", how many], …].
+  shown() {
+    const planned = this.motions.filter(m => m.word === "planned").length, flown = this.motions.filter(m => m.isFlight).length;
+    const ways = planned + flown ? 0 : this.paths.filter(p => p.points).length;
+    return [["trajectory", planned], ["flight log", flown], ["path", ways]].filter(([, number]) => number);
+  }
+
+  // The kinds of what is shown that the check accepted against the map; each of them needs a report of its own.
+  accepted() {
+    return this.shown().filter(([kind, number]) => this.checks.filter(c => c.checked === kind && (c.ok || isOfHome(c))).length >= number).map(([kind]) => kind);
+  }
+
+  isAccepted() { return this.accepted().length > 0 && this.accepted().length === this.shown().length; }
+
   // What to say of it beside its id.
   note() {
     if (this.motions.length) return withUnit(this.motions[0].duration, 1, "s");

@@ -3,10 +3,13 @@
 const listedMissions = 1000;
 
 function verdictOf(mission) {
-  const checks = mission.checks.filter(c => !isOfRefused(c));
-  if (!checks.length) return null;
-  const ok = checks.every(c => c.ok);
-  return element("span", { class: ok ? "good" : "bad", title: ok ? "passed the check against the map" : "failed the check against the map" }, ok ? "✓" : "✕");
+  const failed = mission.checks.find(c => !isOfRefused(c) && !c.ok);
+  if (failed) return element("span", { class: "bad", title: whyOf(failed) }, "✕");
+  const accepted = mission.accepted();
+  if (!accepted.length) return null;
+  const others = mission.shown().map(([kind]) => kind).filter(kind => !accepted.includes(kind));
+  const title = `The ${accepted.join(" and the ")} passed the check against the map${others.length ? `; the ${others.join(" and the ")} was not checked` : ""}`;
+  return element("span", { class: others.length ? "soft" : "good", title }, "✓");
 }
 
 function missionEntry(mission) {

@@ -34,11 +34,19 @@ function pairsVerdict() {
 }
 
 function mapVerdict() {
-  const checks = meta.reports.filter(check => !isOfRefused(check));
+  const checks = meta.reports.filter(check => isOfMap(check) && !isOfRefused(check));
   if (!checks.length) return null;
-  const failed = checks.filter(check => !check.ok && !isOfHome(check)).length;
-  return failed ? ["bad", "✕", `${decimals(failed, 0)} of ${count(checks.length, "flight")} failed the check against the map.`]
-    : ["good", "✓", `${checks.length === 1 ? "The flight" : `All ${count(checks.length, "flight")}`} passed the check against the map.`];
+  const failed = new Set(checks.filter(check => !check.ok && !isOfHome(check)).map(check => check.id));
+  const flights = missions.filter(mission => mission.shown().length);
+  if (failed.size) {
+    const all = new Set([...failed, ...flights.map(mission => mission.id)]);
+    return ["bad", "✕", `${decimals(failed.size, 0)} of ${count(all.size, "flight")} failed the check against the map.`];
+  }
+  const unknown = flights.filter(mission => !mission.isAccepted()).length;
+  const loose = looseWords(checks);
+  return unknown ? ["soft", "", `${decimals(flights.length - unknown, 0)} of ${count(flights.length, "flight")} passed the check against the map. ` +
+      `Of ${unknown === 1 ? "the other" : "the others"} there is no report.${loose}`]
+    : ["good", "✓", `${flights.length === 1 ? "The flight" : `All ${count(flights.length, "flight")}`} passed the check against the map.${loose}`];
 }
 
 // Of the autopilots' returns, where reports have them.

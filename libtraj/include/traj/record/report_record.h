@@ -119,7 +119,19 @@ struct ReportSummary {
   std::optional<ReturnSummary> returns;  // where it was asked for
   geom::Provenance provenance;
   Limits limits;
+  // What an accepted one rests on or leaves out, in words, as rests_on_in_words (verdict.h) says
+  // it; may be empty.
+  std::string rests_on;
+  bool overridden = false;  // something was looser than its record says
+  geom::FlightTime start;
+  bool by_time = false;  // timed boxes counted by their times, so it holds for this start alone
 };
+
+// Why a report of a trajectory is not of this one of its id: another duration, or another start
+// where that counts; nothing where nothing speaks against it. Two trajectories of one duration
+// cannot be told apart.
+std::optional<std::string> why_not_of(const ReportSummary& report,
+                                      const TrajectoryRecord& trajectory);
 
 // Throws InputError(source, line, …) for anything that is not such a record: malformed JSON, no
 // "ok", a refusal without a reason, a number that is not finite, an "ok" beside times without a

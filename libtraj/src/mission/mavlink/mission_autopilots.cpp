@@ -140,9 +140,9 @@ bool flown_by(Firmware firmware, const MissionRules& rules) {
 }
 
 bool returns_below(const MissionRules& rules, double height) {
-  return std::any_of(
-      rules.autopilots.begin(), rules.autopilots.end(),
-      [&](const Autopilot& one) { return one.return_ceiling && *one.return_ceiling < height; });
+  return std::any_of(rules.autopilots.begin(), rules.autopilots.end(), [&](const Autopilot& one) {
+    return one.return_ceiling && *one.return_ceiling < height;
+  });
 }
 
 double most_return_climb(const MissionRules& rules) {
