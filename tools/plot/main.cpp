@@ -101,13 +101,13 @@ std::string profile(const Options& options) {
   return traj::figure::motion_profile(drawn.record, drawn.note);
 }
 
-// The trajectory of the flight's id, else the first.
-const traj::TrajectoryRecord& plan_of(const traj::FlightLog& flight,
+// The trajectory of the flight's id, else the first, which is told where there are others.
+const traj::TrajectoryRecord& plan_of(const traj::FlightLog& flight, const Options& options,
                                       const cli::Contents& contents) {
   for (const auto& read : contents.trajectories) {
     if (read.record.id == flight.id) return read.record;
   }
-  return contents.trajectories.front().record;
+  return one_of(contents.trajectories, options, "a trajectory").record;
 }
 
 // The tube of the plan, from reports of skyway-fly; null where none is of it.
@@ -131,7 +131,7 @@ std::string tracking(const Options& options) {
   const auto drawn = one_of(contents.flights, options, "a flight log");
   if (contents.trajectories.empty()) return traj::figure::tracking(drawn.record, drawn.note);
   cli::require_same_map(contents, nullptr);
-  const traj::TrajectoryRecord& plan = plan_of(drawn.record, contents);
+  const traj::TrajectoryRecord& plan = plan_of(drawn.record, options, contents);
   const traj::Trajectory enu =
       traj::to_enu(plan.provenance.frame.value_or(geom::Axes::enu), plan.trajectory);
   return traj::figure::tracking(drawn.record, drawn.note, &enu, tube_of(plan, options, contents));

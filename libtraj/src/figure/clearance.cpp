@@ -48,8 +48,8 @@ Panel panel_of(const geom::CollisionScene& scene, const ClearanceTrack& track,
   panel.height = kHeight;
   panel.near = std::max(kNear, 2 * scene.margin());
   panel.marks = {{least, ""}};
-  panel.note = fmt::format("{}: least {:.3g} m at {:.4g} {}", track.id,
-                           geom::rounded_down(least.y, 3), least.x, unit);
+  panel.note = fmt::format("{}: least {:.4g} m at {:.4g} {}", track.id, geom::rounded_down(least.y),
+                           least.x, unit);
   if (scene.margin() > 0) {
     panel.levels = {{fmt::format("margin {:g} m", scene.margin()), scene.margin()}};
     TooNear near = too_near(track, scene.margin());

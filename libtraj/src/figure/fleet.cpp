@@ -8,6 +8,8 @@
 
 #include "geom/base/percentile.h"
 #include "geom/text/counted.h"
+#include "geom/text/excerpt.h"
+#include "geom/text/rounded.h"
 #include "shapes.h"
 
 namespace traj::figure {
@@ -83,10 +85,11 @@ void draw_distances(Drawing& drawing, std::span<const FleetFlight> flights,
   std::string note = fmt::format("no pair within {:g} m while both fly", approaches.within);
   if (!distances.empty()) {
     const Approach& least = approaches.list.front();
-    note =
-        fmt::format("{} within {:g} m while both fly; least {:.4g} m: {} and {} at {:.6g} s",
-                    geom::counted(distances.size(), "pair"), approaches.within, least.distance,
-                    flights[least.flights.first].id, flights[least.flights.second].id, least.time);
+    note = fmt::format(
+        "{} within {:g} m while both fly; least {:.4g} m: {} and {} at {:.6g} s (not a proof)",
+        geom::counted(distances.size(), "pair"), approaches.within,
+        geom::rounded_down(least.distance), geom::excerpt(flights[least.flights.first].id),
+        geom::excerpt(flights[least.flights.second].id), least.time);
   }
   draw_bars(drawing, histogram(distances, kBins), colour(1),
             {note, "least distance of a pair, m", "pairs"});

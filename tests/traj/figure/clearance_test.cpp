@@ -18,7 +18,8 @@ TEST(Clearance, IsThatOfTheScene) {
   const std::vector<geom::Vec3> path = {{20, 5, 5}, {30, 5, 5}, {20, 5, 5}};
   const traj::figure::ClearanceTrack track{"path q", traj::clearance_profile(scene, path, 100)};
   const std::string svg = traj::figure::clearance(scene, std::span(&track, 1), "length, m");
-  EXPECT_TRUE(support::says(svg, "least 9 m at"));  // 10 m less the vehicle, the margin not counted
+  EXPECT_TRUE(support::says(
+      svg, "least 8.999 m at"));  // 10 m less the vehicle, without the margin, to 1 mm
   EXPECT_TRUE(support::says(svg, "margin 0.5 m"));
   EXPECT_FALSE(support::says(svg, "less than the margin"));
 }

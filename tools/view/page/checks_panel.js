@@ -105,8 +105,8 @@ function checkCard(check) {
 
 function makeChecksPanel() {
   const order = meta.reports.filter(r => !isOfRefused(r)).sort((a, b) => a.ok - b.ok);
-  const failed = order.filter(r => !r.ok).length;
-  return element("div", {}, order.length ? sentence(failed ? ["bad", "✕", order.length === 1 ? "The check failed"
-    : `${decimals(failed, 0)} of ${count(order.length, "check")} failed`] : ["good", "✓", (order.length === 1 ? "The check passed." : `All ${count(order.length, "check")} passed.`) + looseWords(order)]) : null, refusedNote(), order.slice(0, 200).map(checkCard),
+  const failed = order.filter(r => !r.ok).length, what = order.every(r => r.checked !== "flight") ? "check" : order.every(r => r.checked === "flight") ? "simulation" : "report";
+  return element("div", {}, order.length ? sentence(failed ? ["bad", "✕", order.length === 1 ? `The ${what} failed`
+    : `${decimals(failed, 0)} of ${count(order.length, what)} failed`] : ["good", "✓", (order.length === 1 ? `The ${what} passed.` : `All ${count(order.length, what)} passed.`) + looseWords(order)]) : null, refusedNote(), order.slice(0, 200).map(checkCard),
   order.length > 200 ? element("p", { class: "soft" }, `and ${decimals(order.length - 200, 0)} more that passed`) : null);
 }
