@@ -118,9 +118,9 @@ Compared compare_all(const geom::CollisionScene& scene, const bench::Files& file
                      bench::Options& options, const cli::Common& common) {
   bench::complete(options, scene.map());
   options.method.build = common.execution("layers");
-  plan::bench::QuerySet queries =
-      files.queries.empty() ? plan::bench::QuerySet(scene, options.random)
-                            : plan::bench::QuerySet(bench::read_queries(files, scene.map()));
+  plan::bench::QuerySet queries = files.queries.empty()
+                                      ? plan::bench::QuerySet(scene, options.random)
+                                      : plan::bench::QuerySet(bench::read_queries(files, scene));
   std::vector<plan::bench::Run> runs = run_all(scene, queries, options, common);
   if (options.bound) {
     plan::bench::add_bounds(runs, scene, queries, *options.bound, common.execution("bounds"));

@@ -103,13 +103,11 @@ void complete(Options& options, const geom::BoxMap& map) {
   if (options.methods.empty() && options.commands.empty()) options.methods = {"auto"};
 }
 
-std::vector<geom::PlanQuery> read_queries(const Files& files, const geom::BoxMap& map) {
+std::vector<geom::PlanQuery> read_queries(const Files& files, const geom::CollisionScene& scene) {
   cli::InputFile file(files.queries);
-  const geom::Locator locator(map);
+  const geom::Locator locator(scene.map());
   auto queries = geom::read_plan_queries(file.stream(), file.name(), &locator);
-  for (const geom::PlanQuery& query : queries) {
-    files.metres.check_input(map.spec().frame, cli::ends_in_metres(query), file.name(), query.line);
-  }
+  files.metres.check_queries(scene, queries, file.name());
   return queries;
 }
 

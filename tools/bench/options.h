@@ -42,6 +42,6 @@ void complete(Options& options, const geom::BoxMap& map);
 
 // The queries of a file, with the lengths of --reference. Throws InputError for ends that look like
 // degrees.
-std::vector<geom::PlanQuery> read_queries(const Files& files, const geom::BoxMap& map);
+std::vector<geom::PlanQuery> read_queries(const Files& files, const geom::CollisionScene& scene);
 
 }  // namespace bench

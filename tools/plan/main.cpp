@@ -256,7 +256,7 @@ cli::Exit plan_paths(Options& options, const cli::Common& common, const cli::Sha
   const cli::Artefacts given(options.prepared);
   given.require_made_for(scene);
   const auto named = given.lattice() ? std::nullopt : search.named_lattice(scene);
-  const std::vector<geom::PlanQuery> queries = options.asked.read(scene.map());
+  const std::vector<geom::PlanQuery> queries = options.asked.read(scene);
   search.check(queries.size());
   plan::Planner planner(scene, named ? &*named : given.lattice(), given.roadmap());
   Outputs out(options.output, search.certificate, sharding);

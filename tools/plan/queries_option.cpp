@@ -29,9 +29,8 @@ void QueriesOption::require_some(bool sharded) const {
   if (sharded && file_.empty()) throw cli::UsageError("--shard requires --queries");
 }
 
-std::vector<geom::PlanQuery> QueriesOption::read(const geom::BoxMap& map) const {
-  const geom::Frame& frame = map.spec().frame;
-  const geom::Locator locator(map);
+std::vector<geom::PlanQuery> QueriesOption::read(const geom::CollisionScene& scene) const {
+  const geom::Locator locator(scene.map());
   if (from_) {
     const geom::PlanQuery query{"q1",
                                 locator.at(*from_, "--from", 0),
@@ -40,14 +39,12 @@ std::vector<geom::PlanQuery> QueriesOption::read(const geom::BoxMap& map) const 
                                 0,
                                 on_earth(*from_),
                                 on_earth(*to_)};
-    metres_.check_option(frame, cli::ends_in_metres(query), "--from and --to");
+    metres_.check_option(scene.map().spec().frame, geom::ends_in_metres(query), "--from and --to");
     return {query};
   }
   cli::InputFile input(file_);
   auto queries = geom::read_plan_queries(input.stream(), input.name(), &locator);
-  for (const geom::PlanQuery& query : queries) {
-    metres_.check_input(frame, cli::ends_in_metres(query), input.name(), query.line);
-  }
+  metres_.check_queries(scene, queries, input.name());
   return queries;
 }
 

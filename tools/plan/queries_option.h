@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cli/option/degrees.h"
-#include "geom/map/box_map.h"
+#include "geom/collision/collision.h"
 #include "geom/record/query_record.h"
 
 namespace planning {
@@ -23,7 +23,7 @@ class QueriesOption {
   const cli::MetresOption& metres() const { return metres_; }
 
   // Places on Earth become metres of the map; ends in metres that look like degrees are refused.
-  std::vector<geom::PlanQuery> read(const geom::BoxMap& map) const;
+  std::vector<geom::PlanQuery> read(const geom::CollisionScene& scene) const;
 
  private:
   std::optional<geom::Place> from_;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "geom/base/error.h"
+
 namespace geom {
 namespace {
 
@@ -27,6 +29,17 @@ std::optional<std::string> made_for_another(const Provenance& made_for, const Pr
   const bool exact = value_of(made_for, *what, false) == value_of(ours, *what, false);
   return fmt::format("made for another {}, {}, not {}", *what, value_of(made_for, *what, exact),
                      value_of(ours, *what, exact));
+}
+
+void require_asked_of(const Provenance& asked, const Provenance& ours, std::string_view source,
+                      std::size_t line) {
+  const Provenance whole{asked.map ? asked.map : ours.map, asked.frame ? asked.frame : ours.frame,
+                         asked.vehicle ? asked.vehicle : ours.vehicle,
+                         asked.margin ? asked.margin : ours.margin};
+  if (const auto why = made_for_another(whole, ours)) {
+    throw InputError(source, line,
+                     {.says = *why, .advice = "ask for that one, or take it out of the record"});
+  }
 }
 
 }  // namespace geom

@@ -64,6 +64,7 @@ PlanQuery parse_line(const TextLines& lines, const Locator* locator) {
   query.best_known = fields.number("best_known");
   if (query.best_known) path_length(lines, "best_known", *query.best_known);
   query.time = read_flight_time(fields);
+  query.asked_of = read_provenance(fields);
   return query;
 }
 
@@ -73,17 +74,23 @@ class Columns {
   explicit Columns(const TextLines& header)
       : header_(header.line()), names_(split_fields(header.line())) {
     id_ = need(header, "id");
-    set_ = find("set");
+    set_ = find(header, "set");
   }
 
-  std::optional<std::size_t> find(std::string_view name) const {
+  // Refuses a name that stands twice, because nobody knows which column is meant.
+  std::optional<std::size_t> find(const TextLines& header, std::string_view name) const {
     const auto at = std::find(names_.begin(), names_.end(), name);
     if (at == names_.end()) return std::nullopt;
+    if (std::find(at + 1, names_.end(), name) != names_.end()) {
+      header.refuse({.expected = fmt::format("one column {}", name),
+                     .found = "two",
+                     .advice = "leave one of them out"});
+    }
     return static_cast<std::size_t>(at - names_.begin());
   }
 
   std::size_t need(const TextLines& header, std::string_view name) const {
-    const auto at = find(name);
+    const auto at = find(header, name);
     if (!at) {
       header.refuse({.expected = fmt::format("a column {}", name),
                      .found = in_quotes(header_.substr(0, 80))});
@@ -114,8 +121,8 @@ class Columns {
 // The columns that say when a flight begins: those that are there.
 class TimeColumns {
  public:
-  explicit TimeColumns(const Columns& columns) {
-    for (std::size_t i = 0; i < at_.size(); ++i) at_[i] = columns.find(kNames[i]);
+  TimeColumns(const Columns& columns, const TextLines& header) {
+    for (std::size_t i = 0; i < at_.size(); ++i) at_[i] = columns.find(header, kNames[i]);
   }
 
   FlightTime parse(const TextLines& lines, const std::vector<std::string>& fields) const {
@@ -170,12 +177,17 @@ class TimeColumns {
 class EndColumns {
  public:
   EndColumns(const Columns& columns, const TextLines& header, const std::string& end)
-      : on_earth_(columns.find(end + "_latitude").has_value()) {
+      : on_earth_(columns.find(header, end + "_latitude").has_value()) {
     static constexpr std::array kMetres = {"_x", "_y", "_z"};
     static constexpr std::array kDegrees = {"_latitude", "_longitude", "_height"};
     for (std::size_t i = 0; i < at_.size(); ++i) {
       names_[i] = end + (on_earth_ ? kDegrees : kMetres)[i];
       at_[i] = columns.need(header, names_[i]);
+    }
+    if (on_earth_ && columns.find(header, end + "_x")) {
+      header.refuse({.expected = fmt::format("columns {0}_x or {0}_latitude", end),
+                     .found = "both",
+                     .advice = "leave one of the two places out"});
     }
   }
 
@@ -223,9 +235,9 @@ class CsvQueries {
       : columns_(header),
         from_(columns_, header, "from"),
         to_(columns_, header, "to"),
-        time_(columns_) {
-    best_known_ = columns_.find("best_known_m");
-  }
+        time_(columns_, header),
+        best_known_(columns_.find(header, "best_known_m")),
+        margin_(columns_.find(header, "margin")) {}
 
   PlanQuery parse(const TextLines& lines, const Locator* locator) const {
     const auto fields = columns_.fields(lines);
@@ -241,6 +253,9 @@ class CsvQueries {
       query.best_known = path_length(lines, "best_known_m",
                                      coordinate(lines, "best_known_m", fields[*best_known_]));
     }
+    if (margin_ && !fields[*margin_].empty()) {
+      query.asked_of.margin = coordinate(lines, "margin", fields[*margin_]);
+    }
     return query;
   }
 
@@ -250,6 +265,7 @@ class CsvQueries {
   EndColumns to_;
   TimeColumns time_;
   std::optional<std::size_t> best_known_;
+  std::optional<std::size_t> margin_;
 };
 
 // All that is left of the lines, with the one that was read.
@@ -278,6 +294,13 @@ std::vector<PlanQuery> read_geojson(TextLines& lines, const Locator* locator) {
 }
 
 }  // namespace
+
+std::vector<Vec3> ends_in_metres(const PlanQuery& query) {
+  std::vector<Vec3> ends;
+  if (!query.from_on_earth) ends.push_back(query.from);
+  if (!query.to_on_earth) ends.push_back(query.to);
+  return ends;
+}
 
 std::vector<PlanQuery> read_plan_queries(std::istream& in, std::string_view source,
                                          const Locator* locator) {

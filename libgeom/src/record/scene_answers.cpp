@@ -10,6 +10,7 @@
 
 #include "geom/base/error.h"
 #include "geom/base/usage_error.h"
+#include "geom/record/made_for_another.h"
 #include "geom/text/json_fields.h"
 #include "geom/text/json_line.h"
 
@@ -54,10 +55,41 @@ std::string in_degrees(const GeodeticPlace& place) {
                      std::abs(place.longitude), place.longitude < 0 ? 'W' : 'E');
 }
 
+struct IdleKey {
+  const char* key;
+  const char* question;  // that alone uses it
+};
+constexpr IdleKey kKeysOfOne[] = {
+    {"k", "point"}, {"planes", "segment"}, {"empty_box", "segment"}, {"half", "sweep"}};
+
+// The question that the record asks: one.
+std::string question_of(const JsonFields& fields) {
+  constexpr const char* kExpected = "one of the keys \"point\", \"segment\", \"box\" and \"sweep\"";
+  std::string asked;
+  for (const char* key : {"point", "segment", "box", "sweep"}) {
+    if (!fields.has(key)) continue;
+    if (!asked.empty()) {
+      fields.refuse({.expected = kExpected,
+                     .found = fmt::format("\"{}\" and \"{}\"", asked, key),
+                     .advice = "make a record of each"});
+    }
+    asked = key;
+  }
+  if (asked.empty()) fields.refuse({.expected = kExpected, .found = "none"});
+  for (const auto& [key, question] : kKeysOfOne) {
+    if (!fields.has(key) || asked == question) continue;
+    fields.refuse({.says = fmt::format("\"{}\" is only for \"{}\", and would change nothing beside "
+                                       "\"{}\"",
+                                       key, question, asked),
+                   .advice = "leave it out"});
+  }
+  return asked;
+}
+
 }  // namespace
 
 SceneAnswers::SceneAnswers(const CollisionScene& scene, bool degrees)
-    : scene_(scene), locator_(scene.map()) {
+    : scene_(scene), ours_(provenance_of(scene)), locator_(scene.map()) {
   const Frame& frame = scene.map().spec().frame;
   if (!degrees) return;
   if (!counts_from_origin(frame)) {
@@ -71,17 +103,16 @@ std::string SceneAnswers::answer(const std::string& text, const std::string& sou
   const JsonFields fields(text, source, line);
   JsonLine out;
   out.add("type", "answer").add("id", fields.text("id", fmt::format("q{}", line)));
-  if (fields.has("point")) {
+  const std::string question = question_of(fields);
+  require_asked_of(read_provenance(fields), ours_, source, line);
+  if (question == "point") {
     add_point(out, fields, place_of(fields, source, line));
-  } else if (fields.has("segment")) {
+  } else if (question == "segment") {
     add_segment(out, fields);
-  } else if (fields.has("box")) {
+  } else if (question == "box") {
     add_box(out, fields);
-  } else if (fields.has("sweep")) {
-    add_sweep(out, fields);
   } else {
-    fields.refuse({.expected = "one of the keys \"point\", \"segment\", \"box\" and \"sweep\"",
-                   .found = "none"});
+    add_sweep(out, fields);
   }
   return out.line();
 }

@@ -82,6 +82,43 @@ TEST(PlanQueries, KnowTheBestLengthWhereItIsGiven) {
   EXPECT_THROW(read_plan_queries(zero, "q"), InputError);
 }
 
+// Whoever answers compares them.
+TEST(PlanQueries, SayWhatTheyAreAskedOf) {
+  std::istringstream json(
+      R"({"from":[1,2,3],"to":[4,5,6],"map":"sha256:1","frame":"neu","margin":3,)"
+      R"("vehicle":{"half":[1,2,3]}})"
+      "\n"
+      R"({"from":[1,2,3],"to":[4,5,6]})");
+  const auto queries = read_plan_queries(json, "q");
+  EXPECT_EQ(queries[0].asked_of.map, "sha256:1");
+  EXPECT_EQ(queries[0].asked_of.frame, Axes::neu);
+  EXPECT_EQ(queries[0].asked_of.vehicle->half, Vec3(1, 2, 3));
+  EXPECT_EQ(queries[0].asked_of.margin, 3);
+  EXPECT_FALSE(mismatch(queries[1].asked_of, {}));
+  std::istringstream csv(
+      "id,from_x,from_y,from_z,to_x,to_y,to_z,margin\na,1,2,3,4,5,6,30\nb,1,2,3,4,5,6,\n");
+  const auto rows = read_plan_queries(csv, "q");
+  EXPECT_EQ(rows[0].asked_of.margin, 30);
+  EXPECT_FALSE(rows[1].asked_of.margin);
+}
+
+TEST(PlanQueries, RefuseAColumnThatComesTwiceAndTwoPlacesOfOneEnd) {
+  for (const char* head :
+       {"id,from_x,from_y,from_z,to_x,to_y,to_z,to_z", "id,from_x,from_y,from_z,to_x,to_y,to_z,id",
+        "id,from_x,from_y,from_z,to_x,to_y,to_z,margin,margin"}) {
+    std::istringstream csv(std::string(head) + "\na,1,2,3,4,5,6,7,8\n");
+    EXPECT_NE(support::refusal_of([&] { read_plan_queries(csv, "q"); }).find("expected one column"),
+              std::string::npos)
+        << head;
+  }
+  std::istringstream unused("id,from_x,from_y,from_z,to_x,to_y,to_z,n,n\na,1,2,3,4,5,6,7,8\n");
+  EXPECT_EQ(read_plan_queries(unused, "q").size(), 1u);
+  std::istringstream both(
+      "id,from_x,from_y,from_z,to_x,to_y,to_z,to_latitude,to_longitude,to_height\n"
+      "a,1,2,3,4,5,6,60,24,3\n");
+  EXPECT_THROW(read_plan_queries(both, "q"), InputError);
+}
+
 // --- on Earth -----------------------------------------------------------------------------------
 
 const GeodeticOrigin kHelsinki{60.17, 24.94, 0};

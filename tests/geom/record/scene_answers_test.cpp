@@ -73,6 +73,32 @@ TEST(SceneAnswers, SweepsABoxOfOtherHalfSizes) {
   EXPECT_TRUE(says(answer(R"({"sweep":[[1,9,4],[12,9,4]],"half":[1,3,1]})"), R"("hit":true)"));
 }
 
+// A key that is passed over would make the answer one to another question.
+TEST(SceneAnswers, RefusesTwoQuestionsAndKeysOfAnotherQuestion) {
+  for (const char* const record :
+       {R"({"point":[1,2,3],"segment":[[1,2,3],[4,5,6]]})",
+        R"({"box":[[1,2,3],[4,5,6]],"sweep":[[1,2,3],[4,5,6]],"half":[1,1,1]})",
+        R"({"point":[1,2,3],"half":[1,1,1]})", R"({"point":[1,2,3],"planes":3})",
+        R"({"segment":[[1,2,3],[4,5,6]],"half":[9,9,9]})", R"({"segment":[[1,2,3],[4,5,6]],"k":2})",
+        R"({"box":[[1,2,3],[4,5,6]],"empty_box":2})",
+        R"({"sweep":[[1,2,3],[4,5,6]],"half":[1,1,1],"k":2})"}) {
+    EXPECT_FALSE(refusal(record).empty()) << record;
+  }
+  EXPECT_TRUE(says(refusal(R"({"point":[1,2,3],"half":[1,1,1]})"),
+                   R"("half" is only for "sweep", and would change nothing beside "point")"));
+}
+
+TEST(SceneAnswers, RefusesARecordOfAnotherMapFrameVehicleOrMargin) {
+  for (const char* const asked_of : {R"("map":"sha256:1")", R"("frame":"neu")", R"("margin":3)",
+                                     R"("vehicle":{"half":[2,1,1]})"}) {
+    const std::string record = std::string(R"({"point":[12,5,4],)") + asked_of + "}";
+    EXPECT_TRUE(says(refusal(record), "made for another")) << record;
+  }
+  EXPECT_TRUE(says(answer(R"({"point":[12,5,4],"frame":"enu","margin":0,)"
+                          R"("vehicle":{"name":"x","half":[1,1,1]}})"),
+                   R"("hit":false)"));
+}
+
 TEST(SceneAnswers, RefusesARecordThatIsMalformed) {
   EXPECT_EQ(refusal(R"({"id":"a"})").find("q:3: "), 0u);
   for (const char* const record :

@@ -3,16 +3,10 @@
 #include <fmt/format.h>
 
 #include "cli/answer/exit.h"
-#include "geom/base/error.h"
+#include "geom/collision/collision.h"
+#include "geom/record/made_for_another.h"
 
 namespace cli {
-
-std::vector<geom::Vec3> ends_in_metres(const geom::PlanQuery& query) {
-  std::vector<geom::Vec3> ends;
-  if (!query.from_on_earth) ends.push_back(query.from);
-  if (!query.to_on_earth) ends.push_back(query.to);
-  return ends;
-}
 
 geom::Fault MetresOption::what_stood_there(const geom::Frame& frame, const geom::Vec3& p) const {
   return {.says = fmt::format("[{}, {}] look like degrees", p.x(), p.y()),
@@ -39,6 +33,16 @@ void MetresOption::check_input(const geom::Frame& frame, std::span<const geom::V
                                const std::string& source, std::size_t line) const {
   if (insisted_ || !geom::look_like_degrees(frame, points)) return;
   throw geom::InputError(source, line, what_stood_there(frame, points.front()));
+}
+
+void MetresOption::check_queries(const geom::CollisionScene& scene,
+                                 std::span<const geom::PlanQuery> queries,
+                                 const std::string& source) const {
+  const geom::Provenance ours = geom::provenance_of(scene);
+  for (const geom::PlanQuery& query : queries) {
+    check_input(scene.map().spec().frame, geom::ends_in_metres(query), source, query.line);
+    geom::require_asked_of(query.asked_of, ours, source, query.line);
+  }
 }
 
 void MetresOption::check_input(const geom::Frame& frame, const traj::Trajectory& trajectory,

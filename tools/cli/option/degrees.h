@@ -15,9 +15,6 @@
 
 namespace cli {
 
-// The ends of a query that were given in metres, not in degrees.
-std::vector<geom::Vec3> ends_in_metres(const geom::PlanQuery& query);
-
 class MetresOption {
  public:
   // Whether the points may also be degrees with letters (geom::parse_place).
@@ -30,6 +27,10 @@ class MetresOption {
                     const std::string& option) const;
   void check_input(const geom::Frame& frame, std::span<const geom::Vec3> points,
                    const std::string& source, std::size_t line) const;
+
+  // And where a query says another map, frame, vehicle or margin than the scene's.
+  void check_queries(const geom::CollisionScene& scene, std::span<const geom::PlanQuery> queries,
+                     const std::string& source) const;
 
   void check_input(const geom::Frame& frame, const traj::Trajectory& trajectory,
                    const std::string& source, std::size_t line) const;

@@ -16,6 +16,7 @@
 #include "geom/base/vec3.h"
 #include "geom/record/flight_time.h"
 #include "geom/record/locator.h"
+#include "geom/record/record.h"
 
 namespace geom {
 
@@ -28,15 +29,21 @@ struct PlanQuery {
   bool from_on_earth = false;        // given as degrees, not in the map's metres
   bool to_on_earth = false;
   FlightTime time = {};
+  Provenance asked_of = {};  // the map, frame, vehicle and margin that it says, if any
 };
+
+// The ends of a query that were given in metres, not in degrees.
+std::vector<Vec3> ends_in_metres(const PlanQuery& query);
 
 // `{"id":"q1","from":[x,y,z],"to":[x,y,z]}` a line (without id: "q" and the line number), or CSV
 // with columns id,from_x,…,to_z in any order and others ignored; with a column `set` the id is
 // SET-ID. The key "best_known", or the column best_known_m (a field may be empty), must be > 0. The
 // keys "epoch", "start", "earliest" and "latest", or the columns epoch, start_s, earliest_s and
-// latest_s (a field may be empty), say when it begins (flight_time.h).
+// latest_s (a field may be empty), say when it begins (flight_time.h). The keys "map", "frame",
+// "vehicle" and "margin" of JSON Lines, and the column margin, are kept in `asked_of`: whoever
+// answers compares them (require_asked_of()).
 // Throws InputError(source, line, …) at the first malformed line, for an id that comes
-// twice, and for a stream without queries.
+// twice, for a column of these that comes twice, and for a stream without queries.
 //
 // Places may be on Earth: a text that parse_place() takes in place of [x,y,z]; columns
 // from_latitude, from_longitude, from_height, to_latitude, … in place of from_x, …; or GeoJSON, of

@@ -15,6 +15,7 @@
 #include "geom/collision/collision.h"
 #include "geom/map/geographic_frame.h"
 #include "geom/record/locator.h"
+#include "geom/record/record.h"
 
 namespace geom {
 
@@ -31,7 +32,9 @@ class SceneAnswers {
   // The answer to one record, which ends with a newline. The record has one of the keys "point"
   // (with "k": how many boxes near it), "segment" (with "planes" or "empty_box": how far around it,
   // metres), "box" and "sweep" (with "half"); docs/formats.md says what each answers. Throws
-  // InputError(source, line, …) for a record that is malformed.
+  // InputError(source, line, …) for a record that is malformed, that asks two things, that has one
+  // of these keys beside another question than its own, or that says another map, frame, vehicle or
+  // margin than the scene's.
   std::string answer(const std::string& record, const std::string& source, std::size_t line) const;
 
  private:
@@ -43,6 +46,7 @@ class SceneAnswers {
   void add_sweep(JsonLine& out, const JsonFields& fields) const;
 
   const CollisionScene& scene_;
+  Provenance ours_;
   Locator locator_;
   std::optional<GeographicFrame> earth_;
 };
