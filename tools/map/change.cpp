@@ -117,7 +117,10 @@ void run_patch(const Files& files, const Changes& changes, const cli::Common& co
   geom::MapPatch patch(map, files.map);
   Json stats;
   if (!changes.remove.empty()) {
-    stats["removed"] = patch.remove(ids_of(changes.remove));
+    const std::set<std::uint64_t> ids = ids_of(changes.remove);
+    stats["removed"] = patch.remove(ids);
+    const std::string shared = geom::shared_ids(map, ids);
+    if (!shared.empty()) common.warn("--remove: " + shared + "; all of them are removed");
     warn_of_zones(map, common);
   }
   if (!changes.add.empty()) {

@@ -46,15 +46,6 @@ void run_bounds(const Files& files, const geom::BoundsChange& change,
   write(files, made.map);
 }
 
-// Maps of different origins, whose z can only be taken as it is.
-bool heights_unknown(const std::vector<geom::SourceMap>& maps) {
-  const geom::Frame& first = maps.front().map.spec().frame;
-  return std::any_of(maps.begin(), maps.end(), [&](const geom::SourceMap& one) {
-    const geom::Frame& frame = one.map.spec().frame;
-    return !(frame == first) && frame.origin && frame.origin->height == 0;
-  });
-}
-
 void run_join(const std::vector<std::string>& names, const std::string& output,
               const cli::Common& common) {
   cli::at_most_one_stdin({names[0]});
@@ -73,7 +64,7 @@ void run_join(const std::vector<std::string>& names, const std::string& output,
                     "(skyway-map bounds)",
                     100 * gap));
   }
-  if (maps.size() > 1 && heights_unknown(maps)) {
+  if (maps.size() > 1 && geom::heights_unknown(maps)) {
     common.warn(
         "nobody knows how high these maps are above the ellipsoid (their origins have 0 m): their "
         "z = 0 count as equally high");

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -139,6 +140,14 @@ BoxMap join(std::span<const SourceMap> maps) {
   if (skipped > 0) step["skipped"] = skipped;
   if (const double gap = share_outside(parts); gap > 0) step["joined_gap"] = gap;
   return derived(std::move(spec), table, step);
+}
+
+bool heights_unknown(std::span<const SourceMap> maps) {
+  const Frame& first = maps.front().map.spec().frame;
+  return std::any_of(maps.begin(), maps.end(), [&](const SourceMap& one) {
+    const Frame& frame = one.map.spec().frame;
+    return !(frame == first) && frame.origin && frame.origin->height == 0;
+  });
 }
 
 BoxMap inflate(const BoxMap& map, double by) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
@@ -35,6 +36,29 @@ std::set<std::uint64_t> parse_ids(std::string_view text, std::string_view source
     at = static_cast<std::size_t>(rest - text.data());
   }
   return ids;
+}
+
+std::string shared_ids(const BoxMap& map, const std::set<std::uint64_t>& ids) {
+  if (map.spec().history.find("\"skyway-map join\"") == std::string::npos) return {};
+  std::map<std::uint64_t, std::vector<std::size_t>> named;
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    if (ids.contains(map.ids()[i])) named[map.ids()[i]].push_back(i);
+  }
+  const auto shared = std::find_if(named.begin(), named.end(),
+                                   [](const auto& one) { return one.second.size() > 1; });
+  if (shared == named.end()) return {};
+  constexpr std::size_t kShown = 3;
+  std::string where;
+  for (std::size_t k = 0; k < std::min(kShown, shared->second.size()); ++k) {
+    const std::size_t i = shared->second[k];
+    const Vec3& corner = map.boxes()[i].min;
+    where += fmt::format("{}({:g}, {:g}, {:g}) \"{}\"", k > 0 ? ", " : "", corner.x(), corner.y(),
+                         corner.z(), map.labels()[map.label()[i]]);
+  }
+  return fmt::format(
+      "the id {} names {} boxes of this joined map, which may be of different obstacles, as each "
+      "map counts ids anew: {}{}",
+      shared->first, shared->second.size(), where, shared->second.size() > kShown ? ", …" : "");
 }
 
 struct MapPatch::Step {

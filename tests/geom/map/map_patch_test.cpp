@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geom/map/derive.h"
 #include "geom/map/join.h"
 #include "support/reading.h"
 
@@ -53,6 +54,21 @@ TEST(MapPatch, RefusesAnIdThatNoBoxHasAndAMapWithoutBoxes) {
   EXPECT_EQ(support::refusal_of([&] { patch.remove({4}); }).find("m: "), 0u);
   patch.remove({3, 5});
   EXPECT_EQ(support::refusal_of([&] { patch.made(); }).find("m: "), 0u);
+}
+
+// Each of the maps counts ids anew, so an id of the joined map may name two obstacles.
+TEST(SharedIds, NamesBoxesOfAJoinedMapThatHaveOneId) {
+  EXPECT_EQ(shared_ids(two_boxes(), {3, 5}), "");
+  BoxTable table;
+  table.add({{7, 7, 0}, {8, 8, 1}}, 5, table.label_of("mast"));
+  const SourceMap maps[] = {
+      {"a", two_boxes()},
+      {"b", {{.bounds = {{0, 0, 0}, {9, 9, 9}}, .bounds_from = "option"}, table}}};
+  const BoxMap joined = join(maps);
+  EXPECT_EQ(shared_ids(joined, {3}), "");
+  EXPECT_EQ(shared_ids(joined, {3, 5}),
+            "the id 5 names 2 boxes of this joined map, which may be of different obstacles, as "
+            "each map counts ids anew: (4, 4, 0) \"\", (7, 7, 0) \"mast\"");
 }
 
 TEST(MapPatch, KeepsTheEpochOfTheMap) {

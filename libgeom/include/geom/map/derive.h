@@ -54,6 +54,10 @@ MadeMap with_bounds(const BoxMap& map, const BoundsChange& change, const std::st
 // InputError as in_frame() does, and where two have different epochs.
 BoxMap join(std::span<const SourceMap> maps);
 
+// Whether these are maps of different origins whose heights nobody knows, so that their z can only
+// be taken as it is.
+bool heights_unknown(std::span<const SourceMap> maps);
+
 // Each box grown by so many metres on every side, rounded outward.
 BoxMap inflate(const BoxMap& map, double by);
 

@@ -26,6 +26,10 @@ namespace geom {
 // else.
 std::set<std::uint64_t> parse_ids(std::string_view text, std::string_view source);
 
+// Says which of the ids names several boxes of a joined map, and where these are, because each of
+// its maps counts ids anew: the boxes may be of different obstacles. Empty where none does.
+std::string shared_ids(const BoxMap& map, const std::set<std::uint64_t>& ids);
+
 class MapPatch {
  public:
   // `source`: what messages call the map.
