@@ -109,7 +109,7 @@ class Clock {
 
 traj::FleetStream read_stream(const Options& options, const cli::Common& common) {
   traj::FleetStream stream({options.max_delay, !options.spacing.zone, options.moving.asked(),
-                            options.vehicle.asked(options.vehicle.profile())},
+                            options.vehicle.asked(options.vehicle.profile()), options.spacing.zone},
                            {common.execution("read").threads, {}});
   cli::InputFile flights(options.input);
   stream.read(flights.stream(), flights.name());

@@ -28,7 +28,8 @@ void FlightSet::require_needs(const TrajectoryRecord& record, const TimedFlight&
 
 FlightRoom room_of(const geom::CollisionScene& scene, const TrajectoryRecord& record) {
   return {scene.map().hash(), scene.half(),
-          geom::smaller_than_asked({scene.vehicle(), scene.margin()}, record.provenance)};
+          geom::smaller_than_asked({scene.vehicle(), scene.margin()}, record.provenance),
+          scene.vehicle().half};
 }
 
 void FlightSet::add(const TrajectoryRecord& record, const geom::CollisionScene* scene,
@@ -52,6 +53,7 @@ void FlightSet::add(TrajectoryRecord record, const std::optional<FlightRoom>& ro
   }
   TimedFlight flight{nullptr, record.time.starts(), room->half};
   require_needs(record, flight, source, line);
+  vehicles_.add(record.id, room->vehicle);
   task_.map = room->map;
   task_.overridden = task_.overridden || room->overridden;
   flight.trajectory = &trajectories_.emplace_back(std::move(record.trajectory));

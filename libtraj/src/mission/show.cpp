@@ -89,6 +89,7 @@ ShowFlight read_back(ShowFlight flight, const geom::CollisionScene& scene,
   const auto& flown = std::get<FlownCurve>(read.front().flown.way);
   flight.stray = stray_of(flown);
   flight.room = sum_above(scene.half(), flight.stray);
+  flight.vehicle = scene.vehicle().half;
   flight.flown = flown.trajectory;
   return flight;
 }
@@ -98,7 +99,9 @@ ShowCheck check_show(std::span<const ShowFlight> flights, const Spacing& spacing
   std::vector<TimedFlight> timed;
   Vec3 stray = Vec3::Zero();
   ShowCheck out;
+  VehiclesInZone vehicles(spacing.zone);
   for (const ShowFlight& one : flights) {
+    vehicles.add(one.id, one.vehicle);
     timed.push_back({&one.flown, one.time.starts(), one.room});
     stray = stray.cwiseMax(one.stray);
     out.task.ids.push_back(one.id);

@@ -89,12 +89,13 @@ geom::Vec3 grown(const geom::Vec3& half, double margin) {
 }  // namespace
 
 geom::Vec3 FleetStream::room_of(const TrajectoryRecord& record, const std::string& source,
-                                std::size_t line) const {
+                                std::size_t line) {
   geom::Vec3 room = geom::Vec3::Zero();
   if (record.provenance.vehicle || rules_.asked.vehicle) {
     const geom::Room agreed = geom::agreed_room(record.provenance, rules_.asked,
                                                 geom::Differences::refused, source, line);
     room = grown(agreed.vehicle.half, agreed.margin);
+    vehicles_.add(record.id, agreed.vehicle.half);
   }
   if (room.minCoeff() > 0) return room;
   if (rules_.by_vehicles) {
@@ -116,10 +117,11 @@ geom::Vec3 FleetStream::room_of(const TrajectoryRecord& record, const std::strin
 
 // The options say nothing of the vehicles of others.
 geom::Vec3 FleetStream::room_of_other(const TrajectoryRecord& record, const std::string& source,
-                                      std::size_t line) const {
+                                      std::size_t line) {
   geom::Vec3 room = geom::Vec3::Zero();
   if (const auto& vehicle = record.provenance.vehicle) {
     room = grown(vehicle->half, record.provenance.margin.value_or(0));
+    vehicles_.add(record.id, vehicle->half);
   }
   if (rules_.by_vehicles && !(room.minCoeff() > 0)) {
     throw InputError(source, line,

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geom/base/rounding.h"
+#include "geom/base/usage_error.h"
 
 namespace traj {
 
@@ -38,6 +39,25 @@ std::optional<geom::Fault> spacing_fault(const Zone& zone) {
         .found = fmt::to_string(reach)};
   }
   return std::nullopt;
+}
+
+void VehiclesInZone::add(const std::string& id, const Vec3& half) {
+  if (!zone_) return;
+  for (int axis = 0; axis < 3; ++axis) {
+    Largest& largest = largest_[static_cast<std::size_t>(axis)];
+    const double both = geom::add_up(largest.half, half[axis]);
+    if (!largest.id.empty() && largest.id != id && zone_->reach[axis] < both) {
+      throw geom::UsageError(sentence(geom::Fault{
+          .item = "--separation",
+          .expected = fmt::format("at least {:g} m {}, as the vehicles of \"{}\" and \"{}\" are so "
+                                  "large together",
+                                  both, axis == 2 ? "in height" : "across", largest.id, id),
+          .found = fmt::format("{:g} m", zone_->reach[axis]),
+          .advice = "give more, or leave the option out: then boxes of vehicles and margins keep "
+                    "apart"}));
+    }
+    if (largest.id.empty() || half[axis] > largest.half) largest = {half[axis], id};
+  }
 }
 
 double share_of(const Zone& zone, const Vec3& d) {

@@ -52,7 +52,7 @@ with tempfile.TemporaryDirectory() as folder:
                       [place() for _ in range(random.randint(2, 4))]) for i in range(300)]
     text = "".join(json.dumps(r) + "\n" for r in records)
     verified = planes = lies = standing = 0
-    for options in ((), ("--together", "--separation", "0.001,0.001"), ("--together", "--separation", "0.001,0.001", "--parked", "gone")):
+    for options in ((), ("--together", "--separation", "3,3"), ("--together", "--separation", "3,3", "--parked", "gone")):
         reports = objects(tool("skyway-check", "t.boxmap", "--certificate", "c.jsonl", "--no-clearance", *options, text=text))
         with open("c.jsonl") as file:
             certificates = {c["id"]: c for c in map(json.loads, file) if c["type"] == "certificate"}

@@ -53,5 +53,21 @@ TEST(Spacing, MeasuresInItsOwnNorm) {
   EXPECT_DOUBLE_EQ(depth_in(box, {4, 1, 0}), 1);
 }
 
+// Two vehicles that keep out of a zone which is smaller than they are may touch.
+TEST(VehiclesInZone, RefusesAZoneThatIsSmallerThanTwoVehicles) {
+  VehiclesInZone wide(cylinder(2, 1));
+  wide.add("a", {1, 1, 0.5});
+  EXPECT_NO_THROW(wide.add("b", {1, 1, 0.5}));
+  EXPECT_THROW(wide.add("c", {1.5, 1, 0.25}), geom::UsageError);
+  EXPECT_THROW(wide.add("d", {1, 1, 0.75}), geom::UsageError);
+  VehiclesInZone one(cylinder(0.1, 0.1));
+  EXPECT_NO_THROW(one.add("a", {1, 1, 1})) << "alone";
+  EXPECT_NO_THROW(one.add("a", {1, 1, 1})) << "another way of it";
+  EXPECT_THROW(one.add("b", {0.01, 0.01, 0.01}), geom::UsageError);
+  VehiclesInZone sizes;
+  sizes.add("a", {1, 1, 1});
+  EXPECT_NO_THROW(sizes.add("b", {1, 1, 1}));
+}
+
 }  // namespace
 }  // namespace traj

@@ -29,7 +29,8 @@ namespace traj {
 struct FlightRoom {
   std::string map;  // its hash
   Vec3 half = Vec3::Zero();
-  bool overridden = false;  // smaller than what the record asks for
+  bool overridden = false;      // smaller than what the record asks for
+  Vec3 vehicle = Vec3::Zero();  // half sizes without the margin
 };
 FlightRoom room_of(const geom::CollisionScene& scene, const TrajectoryRecord& record);
 
@@ -44,7 +45,9 @@ class FlightSet {
   };
 
   explicit FlightSet(TogetherRule rule) : FlightSet(rule, Needs{}) {}
-  FlightSet(TogetherRule rule, Needs needs) : needs_(needs) { task_.rule = std::move(rule); }
+  FlightSet(TogetherRule rule, Needs needs) : needs_(needs), vehicles_(rule.spacing.zone) {
+    task_.rule = std::move(rule);
+  }
   FlightSet(const FlightSet&) = delete;
   FlightSet& operator=(const FlightSet&) = delete;
 
@@ -52,7 +55,8 @@ class FlightSet {
   // `room`, or `scene` is null),
   // or one that no distance can be computed of (domain.h), counts as left out. Throws
   // InputError(source, line, …) for an id that comes again, for another epoch than that of the
-  // first record, and for a flight that lacks what is needed.
+  // first record, and for a flight that lacks what is needed. Throws UsageError for a zone that is
+  // smaller than two of the vehicles (VehiclesInZone).
   void add(TrajectoryRecord record, const std::optional<FlightRoom>& room, std::string_view source,
            std::size_t line);
   void add(const TrajectoryRecord& record, const geom::CollisionScene* scene,
@@ -75,6 +79,7 @@ class FlightSet {
                      std::string_view source, std::size_t line) const;
 
   Needs needs_;
+  VehiclesInZone vehicles_;
   TogetherTask task_;
   std::set<std::string> ids_;  // of all records
   std::deque<Trajectory> trajectories_;

@@ -24,16 +24,17 @@ namespace traj {
 // One flight of a show, as its file will be flown.
 struct ShowFlight {
   std::string id;
-  std::string file;            // its name in the folder of the show
-  geom::FlightTime time = {};  // of its record; a flight without a start begins at 0
-  Trajectory planned = {};     // east, north, up
-  Trajectory flown = {};       // what its file says, in the map's axes
-  Vec3 stray = Vec3::Zero();   // metres along each axis that the drone's rounding may add
-  Vec3 room = Vec3::Zero();    // half sizes with the margin, and the stray
+  std::string file;             // its name in the folder of the show
+  geom::FlightTime time = {};   // of its record; a flight without a start begins at 0
+  Trajectory planned = {};      // east, north, up
+  Trajectory flown = {};        // what its file says, in the map's axes
+  Vec3 stray = Vec3::Zero();    // metres along each axis that the drone's rounding may add
+  Vec3 room = Vec3::Zero();     // half sizes with the margin, and the stray
+  Vec3 vehicle = Vec3::Zero();  // half sizes without both
 };
 
-// Reads a written file again: sets `flown`, `stray` and `room` of the flight. The format must be
-// one of curves. `scene` is the one that the file was proved over.
+// Reads a written file again: sets `flown`, `stray`, `room` and `vehicle` of the flight. The format
+// must be one of curves. `scene` is the one that the file was proved over.
 ShowFlight read_back(ShowFlight flight, const geom::CollisionScene& scene,
                      const MissionFormat& format, const WrittenMission& written);
 
@@ -43,7 +44,8 @@ struct ShowCheck {
 };
 
 // Whether every pair keeps apart, started at their times and flown as the files say. The zones of
-// `spacing` are grown by what the rounding of two files may add; rooms have it already.
+// `spacing` are grown by what the rounding of two files may add; rooms have it already. Throws
+// UsageError for a zone that is smaller than two of the vehicles.
 ShowCheck check_show(std::span<const ShowFlight> flights, const Spacing& spacing, Parked parked,
                      const geom::Execution& run = {});
 

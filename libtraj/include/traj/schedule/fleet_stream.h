@@ -22,23 +22,27 @@
 #include "geom/record/agreed_room.h"
 #include "traj/fleet/fleet_flight.h"
 #include "traj/record/trajectory_record.h"
+#include "traj/together/spacing.h"
 
 namespace traj {
 
 struct StreamRules {
-  double max_delay = 600;    // seconds that a flight may wait
-  bool by_vehicles = false;  // the distance follows from the vehicles' sizes
-  bool moving = false;       // what keeps clear of obstacles that move is the vehicle's box
-  geom::AskedRoom asked;     // the vehicle and margin of flights that name none
+  double max_delay = 600;         // seconds that a flight may wait
+  bool by_vehicles = false;       // the distance follows from the vehicles' sizes
+  bool moving = false;            // what keeps clear of obstacles that move is the vehicle's box
+  geom::AskedRoom asked;          // the vehicle and margin of flights that name none
+  std::optional<Zone> zone = {};  // that is to hold two vehicles
 };
 
 class FleetStream {
  public:
   // `run`: its threads read records.
-  FleetStream(const StreamRules& rules, const geom::Execution& run) : rules_(rules), run_(run) {}
+  FleetStream(const StreamRules& rules, const geom::Execution& run)
+      : rules_(rules), run_(run), vehicles_(rules.zone) {}
 
   // The flights, in the order in which they come. Throws InputError for an id that comes again, for
-  // records of another map, frame or epoch, and what no departure can be chosen for.
+  // records of another map, frame or epoch, and what no departure can be chosen for. Throws
+  // UsageError for a zone that is smaller than two of the vehicles.
   void read(std::istream& in, const std::string& source);
   // Other ways for them, with their ids. What is no solved trajectory is passed over. After read().
   void read_ways(std::istream& in, const std::string& source);
@@ -79,13 +83,13 @@ class FleetStream {
   void add_other(TrajectoryRecord record, const std::string& source, std::size_t line);
   void gather();
   void require_agrees(const TrajectoryRecord& record, const std::string& source, std::size_t line);
-  geom::Vec3 room_of(const TrajectoryRecord& record, const std::string& source,
-                     std::size_t line) const;
+  geom::Vec3 room_of(const TrajectoryRecord& record, const std::string& source, std::size_t line);
   geom::Vec3 room_of_other(const TrajectoryRecord& record, const std::string& source,
-                           std::size_t line) const;
+                           std::size_t line);
 
   StreamRules rules_;
   geom::Execution run_;
+  VehiclesInZone vehicles_;
   std::deque<TrajectoryRecord> records_;  // stay where they are
   std::vector<Entry> entries_;
   std::vector<Way> own_;                                      // by number

@@ -7,6 +7,7 @@
 //   assert(traj::share_of(zone, {10, 0, 0}) == 2 && traj::depth_in(zone, {4, 0, 0}) == 1);
 //   const auto zones = traj::zones_between({.zone = zone}, scene.half(), scene.half());
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,6 +47,27 @@ Vec3 reach_of(const Spacing& spacing, const Vec3& room);
 // Why the spacing is not valid: a reach that is not > 0 or beyond 1e8 m. Nothing if it is
 // valid.
 std::optional<geom::Fault> spacing_fault(const Zone& zone);
+
+// Vehicles that a zone is to keep apart. Two flights that keep out of a zone which is smaller than
+// their vehicles may touch, so such a zone proves nothing.
+class VehiclesInZone {
+ public:
+  // Without a zone there is nothing to refuse: the distance follows from the vehicles.
+  explicit VehiclesInZone(const std::optional<Zone>& zone = {}) : zone_(zone) {}
+
+  // `half`: of the vehicle of this flight, without a margin. Throws UsageError where it and one
+  // that was added before touch outside of the zone, beside or above each other.
+  void add(const std::string& id, const Vec3& half);
+
+ private:
+  struct Largest {
+    double half = 0;
+    std::string id;  // empty: none was added
+  };
+
+  std::optional<Zone> zone_;
+  std::array<Largest, 3> largest_;  // along each axis
+};
 
 // The nearness of a difference of position in a zone's own norm: below 1 inside, 1 on its surface.
 // Rounded.
