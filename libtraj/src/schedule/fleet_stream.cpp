@@ -160,6 +160,31 @@ void FleetStream::add(TrajectoryRecord record, const std::string& source, std::s
   own_.push_back({&kept, flight});
 }
 
+namespace {
+
+// Of two ways of one flight: both begin at one place, and both end at one.
+void require_same_flight(const TrajectoryRecord& way, const TrajectoryRecord& first,
+                         const std::string& source, std::size_t line) {
+  constexpr double kSame = 1e-6;  // metres
+  const auto require = [&](const char* does, const geom::Vec3& found, const geom::Vec3& expected) {
+    if ((found - expected).cwiseAbs().maxCoeff() <= kSame) return;
+    const auto shown = [](const geom::Vec3& p) {
+      return fmt::format("({:g}, {:g}, {:g})", p.x(), p.y(), p.z());
+    };
+    throw InputError(source, line,
+                     {.expected = fmt::format("another way of \"{}\", which {} at {}", way.id, does,
+                                              shown(expected)),
+                      .found = fmt::format("one that {} at {}", does, shown(found)),
+                      .advice = "give this flight an id of its own"});
+  };
+  const auto& ours = way.trajectory.segments;
+  const auto& theirs = first.trajectory.segments;
+  require("begins", ours.front().point.front(), theirs.front().point.front());
+  require("ends", ours.back().point.back(), theirs.back().point.back());
+}
+
+}  // namespace
+
 void FleetStream::add_way(TrajectoryRecord record, const std::string& source, std::size_t line) {
   if (record.status != TrajectoryStatus::solved) return;
   const auto found = entry_of_.find(record.id);
@@ -171,10 +196,21 @@ void FleetStream::add_way(TrajectoryRecord record, const std::string& source, st
   require_agrees(record, source, line);
   const Entry& entry = entries_[found->second];
   if (!entry.number) return;
-  Way way = own_[*entry.number];
+  const Way& first = own_[*entry.number];
+  Way way = first;
   way.record = &records_.emplace_back(std::move(record));
   way.flight.trajectory = &way.record->trajectory;
   way.flight.room = room_of(*way.record, source, line);
+  require_same_flight(*way.record, *first.record, source, line);
+  if (way.flight.room.minCoeff() > 0 &&
+      (way.flight.room.array() < first.flight.room.array()).any()) {
+    throw InputError(source, line,
+                     {.expected = fmt::format("another way of \"{}\" with as much room for vehicle "
+                                              "and margin as the stream has for it",
+                                              way.record->id),
+                      .found = "less",
+                      .advice = "make it for that vehicle and margin"});
+  }
   alternatives_.push_back(way);
 }
 

@@ -32,7 +32,8 @@ def fleet(records, ways=None, code=0):
 
 with tempfile.TemporaryDirectory() as folder:
     os.chdir(folder)
-    silent = flight("n", (-80, -80, 5), (-80, -70, 5))
+    ends = (-80, -80, 5), (-80, -70, 5)
+    silent = flight("n", *ends)
     # The same way: x is east in the one, north in the other.
     east, north = ((20, 0, 30), (30, 10, 30)), ((0, 20, 30), (10, 30, 30))
     enu, neu = flight("a", *east, frame="enu"), flight("b", *north, frame="neu")
@@ -42,7 +43,12 @@ with tempfile.TemporaryDirectory() as folder:
     for records in ([one, other], [silent, one, other]):
         assert "made for another map" in fleet(records, code=3)[0]
     assert "expected frame enu" in fleet([silent, enu], [flight("n", *north, frame="neu")], code=3)[0]
-    assert "expected frame enu" in fleet([silent], [flight("n", *east, frame="enu"), flight("n", *north, frame="neu")], code=3)[0]
+    assert "expected frame enu" in fleet([silent], [flight("n", *ends, frame="enu"), flight("n", *ends, frame="neu")], code=3)[0]
     report = fleet([silent, one, flight("c", *north, map="one", frame="enu")])[1]
     assert report["ok"] and report["map"] == "one"
+    # Another way of a flight goes to the same place, with as much room.
+    assert "begins at (-80, -80, 5), found one that begins at (20, 0, 30)" in fleet([silent], [flight("n", *east)], code=3)[0]
+    sized = [flight("n", *ends, vehicle={"half": [half] * 3}, margin=0) for half in (1, 0.9)]
+    assert "as much room" in fleet(sized[:1], sized[1:], code=3)[0]
+    assert fleet(sized[1:], sized[:1])[1]["ok"]
 print("fleet: flights of one map and frame")

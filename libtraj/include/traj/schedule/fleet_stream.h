@@ -44,7 +44,9 @@ class FleetStream {
   // records of another map, frame or epoch, and what no departure can be chosen for. Throws
   // UsageError for a zone that is smaller than two of the vehicles.
   void read(std::istream& in, const std::string& source);
-  // Other ways for them, with their ids. What is no solved trajectory is passed over. After read().
+  // Other ways for them, with their ids. What is no solved trajectory is passed over. Throws
+  // InputError as read() does, and for a way that begins or ends elsewhere, or has less room. After
+  // read().
   void read_ways(std::istream& in, const std::string& source);
   // Flights that are settled, as another operator's: each depart at its start. They have numbers
   // after those of the stream, and are no entries. Throws InputError as read() does, and for one
