@@ -56,7 +56,7 @@ def same_in_any_order(fleet):
 
 
 def same_bytes(fleet):
-    for options in ([], ["--report", "text"], ["--exact"], ["--drop-refused", "--together", "--separation", "2,1"]):
+    for options in ([], ["--report", "text"], ["--exact"], ["--drop-refused", "--together", "--separation", "9,1"]):
         outputs = []
         for threads in THREADS:
             written = [name + str(threads) for name in ("junit", "profile", "why")]
