@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "geom/base/usage_error.h"
+
 namespace traj {
 namespace {
 
