@@ -139,14 +139,26 @@ class Features {
     return locator_.at(there, source_, 0);
   }
 
+  // Of a third coordinate, less the map's zero, and the property height.
+  void require_same_height(const Json& third, const Json& said) const {
+    constexpr double kSame = 1e-6;  // metres
+    if (said.is_null()) return;
+    const bool numbers = third.is_number() && said.is_number();
+    if (numbers && std::abs(third.get<double>() - said.get<double>()) <= kSame) return;
+    refuse({.expected = "one height above the map's zero",
+            .found = fmt::format("{} by the third coordinate and {} by the property height",
+                                 shown(third), shown(said)),
+            .advice = "leave one of them out"});
+  }
+
   Height height_of(const Json& feature, const Json& position) const {
     const Json properties = feature.value("properties", Json());
-    Json value;
+    const Json said = properties.is_object() ? properties.value("height", Json()) : Json();
+    Json value = said;
     if (position.size() > 2) {
       value = position[2];
       if (value.is_number()) value = value.get<double>() - locator_.zero();
-    } else if (properties.is_object()) {
-      value = properties.value("height", Json());
+      require_same_height(value, said);
     }
     if (value.is_number() && std::abs(value.get<double>()) <= kLargestCoordinate) {
       return {value.get<double>()};

@@ -201,6 +201,22 @@ TEST(PlanQueriesOnEarth, HaveTheThirdCoordinateOfGeoJsonOnEarthAndHeightsOnTheMa
   expect_near(read(R"({"from":"60.17N,24.94E,20","to":[1,2,3]})", 12)[0].from, {0, 0, 20});
 }
 
+TEST(PlanQueriesOnEarth, RefuseTwoHeightsThatDoNotAgree) {
+  const auto line = [](const char* height) {
+    return std::string(R"({"type":"Feature","properties":{"height":)") + height +
+           R"(},"geometry":{"type":"LineString","coordinates":[[24.94,60.17,20],[24.94,60.17,20]]}})";
+  };
+  expect_near(read(line("8"), 12)[0].from, {0, 0, 8});
+  expect_near(read(line("null"), 12)[0].from, {0, 0, 8});
+  for (const char* other : {"20", "\"2above\""}) {
+    EXPECT_NE(support::refusal_of([&] {
+                read(line(other), 12);
+              }).find("expected one height above the map's zero, found 8"),
+              std::string::npos)
+        << other;
+  }
+}
+
 TEST(PlanQueriesOnEarth, AreRefusedWithAReason) {
   const auto refused = [](const std::string& text) {
     return support::refusal_of([&] { read(text); });
