@@ -26,3 +26,32 @@ def validators(source):
         jsonschema.Draft202012Validator.check_schema(whole)
         out[kind] = jsonschema.Draft202012Validator(whole)
     return out
+
+
+def within(node):
+    """The node and all that it holds."""
+    yield node
+    for inner in node.values() if type(node) is dict else node if type(node) is list else ():
+        yield from within(inner)
+
+
+def strict(schema):
+    """The schema, whose objects may have no other keys than those it names."""
+    wider = {node["$ref"] for node in within(schema) if type(node) is dict and {"$ref", "properties"} <= node.keys()}  # definitions with more keys there
+
+    def closed(node, place):
+        if type(node) is list:
+            return [closed(one, None) for one in node]
+        if type(node) is not dict:
+            return node
+        out = {key: closed(one, f"{place}/{key}" if place else None) for key, one in node.items()}
+        whole = {"type", "$ref"} & node.keys() and not {"additionalProperties", "patternProperties"} & node.keys()  # no condition on another
+        if whole and type(node.get("properties")) is dict and place not in wider:
+            out["unevaluatedProperties"] = False
+        return out
+    return closed(schema, "#")
+
+
+def strict_validators(source):
+    """For records that Skyway itself writes: all of their keys stand in the schemas."""
+    return {kind: jsonschema.Draft202012Validator(strict(one.schema)) for kind, one in validators(source).items()}
