@@ -149,16 +149,18 @@ class Assumptions {
       return item(
           fmt::format("The vehicle strays from its way by no more than the margin{}.", beyond));
     }
-    item(
-        "The vehicle moves like the simulated one of its profile, with exact sensors and without "
-        "delay" +
-        (beyond.empty() ? "." : fmt::format(", or strays{} more.", beyond.substr(4))));
+    item("The vehicle moves like the simulated one of its profile, without delay" +
+         (beyond.empty() ? "." : fmt::format(", or strays{} more.", beyond.substr(4))));
+    constexpr std::string_view exact = ", exact readings of the sensors";
     std::vector<std::string> said_before;
     for (const FlightClaims& one : flights_) {
       if (!one.tube || !one.tube->disturbances) continue;
-      const std::string words = fmt::format("It is flown by the {} controller, and meets {}.",
-                                            geom::word_of(kControlLawWords, one.tube->law),
-                                            in_words(*one.tube->disturbances));
+      const Disturbances& met = *one.tube->disturbances;
+      const std::string words = fmt::format(
+          "It is flown by the {} controller, with the gains and loop periods that skyway-fly was "
+          "given, and meets {}{}.",
+          geom::word_of(kControlLawWords, one.tube->law), in_words(met),
+          met.has_noise() ? "" : exact);
       if (std::find(said_before.begin(), said_before.end(), words) != said_before.end()) continue;
       item(words);
       said_before.push_back(words);

@@ -72,6 +72,20 @@ TEST(SummaryPage, SaysWhereTheFlightGeographyIsSmallerThanTheGuidelineAsksFor) {
   EXPECT_NE(page().find("1.2 m wide and 1 m high"), std::string::npos);
 }
 
+// A tube may be proved with noise.
+TEST(SummaryPage, SaysOfReadingsWhatTheTubesWereProvedFor) {
+  FlightClaims one{.id = "q1", .kind = "trajectory"};
+  one.tube = TubeClaim{.kind = TubeKind::proved, .disturbances = Disturbances{}};
+  Submission out;
+  out.method.tubes = SourceFile{};
+  const auto page = [&] { return summary_page({}, out, {&one, 1}); };
+  EXPECT_NE(page().find("exact readings of the sensors"), std::string::npos);
+  EXPECT_NE(page().find("gains and loop periods that skyway-fly was given"), std::string::npos);
+  one.tube->disturbances->place_noise = 0.01;
+  EXPECT_EQ(page().find("exact readings"), std::string::npos);
+  EXPECT_NE(page().find("readings of the sensors within 0.01 m"), std::string::npos);
+}
+
 // A clearance is known to 1 mm. 0.4 people are not 0, and 99.999 % of the time is not all of it.
 TEST(SummaryPage, RoundsToTheSafeSide) {
   FlightClaims one{.id = "q1", .kind = "trajectory"};
