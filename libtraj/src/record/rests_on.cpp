@@ -145,7 +145,11 @@ std::string in_words(const RestsOn& rests) {
   if (rests.exact) out.emplace_back("proved again in exact numbers");
   add_flown(rests, out);
   if (rests.returns) out.push_back(allowed_in_words(*rests.returns));
-  if (rests.tube) out.push_back("clear with " + in_words(*rests.tube));
+  if (rests.tube) {
+    const bool proved = rests.tube->kind == TubeKind::proved;
+    out.push_back(fmt::format("clear with {}{}", in_words(*rests.tube),
+                              proved ? ", as its report says, which was not proved again" : ""));
+  }
   std::vector<std::string> missing;
   for (const std::string& quantity : rests.not_measured) missing.push_back(spoken(quantity));
   if (!missing.empty()) out.push_back(fmt::format("not measured: {}", fmt::join(missing, ", ")));

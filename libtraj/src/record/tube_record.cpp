@@ -69,12 +69,22 @@ void read_radii(const JsonFields& tube, TubeRecord& out) {
   out.claim.largest = *std::max_element(out.radius.begin(), out.radius.end());
 }
 
-// What both kinds have.
+// What both kinds have. Without the hash, the tube might be of any trajectory.
 void read_shape(const JsonFields& tube, TubeRecord& out) {
   read_radii(tube, out);
   out.period = length(tube, "period", 1e6);
   if (out.period == 0) tube.refuse({.key = "period", .expected = "seconds > 0", .found = "0"});
+  const auto largest = tube.number("largest");
+  if (!largest || *largest != out.claim.largest) {
+    tube.refuse({.key = "largest",
+                 .expected = fmt::format("{}, the largest radius", out.claim.largest),
+                 .found = largest ? fmt::to_string(*largest) : "none"});
+  }
+  out.claim.tilt = length(tube, "tilt", std::numbers::pi);
   out.trajectory = tube.text("trajectory", "");
+  if (out.trajectory.empty()) {
+    tube.refuse({.key = "trajectory", .expected = "the hash of its trajectory", .found = "none"});
+  }
 }
 
 TubeRecord read_proved(const JsonFields& tube) {
@@ -89,20 +99,10 @@ TubeRecord read_proved(const JsonFields& tube) {
     return out;
   }
   read_shape(tube, out);
-  const auto largest = tube.number("largest");
-  if (!largest || *largest != out.claim.largest) {
-    tube.refuse({.key = "largest",
-                 .expected = fmt::format("{}, the largest radius", out.claim.largest),
-                 .found = largest ? fmt::to_string(*largest) : "none"});
-  }
-  out.claim.tilt = length(tube, "tilt", std::numbers::pi);
   if (out.period != kTubePeriod) {
     tube.refuse({.key = "period",
                  .expected = fmt::to_string(kTubePeriod),
                  .found = fmt::to_string(out.period)});
-  }
-  if (out.trajectory.empty()) {
-    tube.refuse({.key = "trajectory", .expected = "the hash of its trajectory", .found = "none"});
   }
   return out;
 }
@@ -110,15 +110,27 @@ TubeRecord read_proved(const JsonFields& tube) {
 TubeRecord read_statistics(const JsonFields& tube) {
   TubeRecord out;
   read_shape(tube, out);
-  if (tube.has("tilt")) out.claim.tilt = length(tube, "tilt", std::numbers::pi);
   return out;
+}
+
+ControlLaw read_law(const JsonFields& fields) {
+  if (!fields.has("controller")) {
+    fields.refuse({.key = "controller", .expected = "a word", .found = "none"});
+  }
+  return fields.word("controller", kControlLawWords, ControlLaw::cascade);
 }
 
 // Of the runs of a flight; a flight of which some were lost has none.
 const Json* tube_of_runs(const JsonFields& flight) {
   if (!flight.has("monte_carlo")) return nullptr;
   const Json& runs = flight.value("monte_carlo");
-  return runs.is_object() && runs.contains("tube") ? &runs["tube"] : nullptr;
+  if (!runs.is_object() || !runs.contains("tube")) return nullptr;
+  if (runs.contains("lost") && runs["lost"] != 0) {
+    flight.refuse({.key = "lost",
+                   .expected = "0, as runs of which some were lost have no tube",
+                   .found = geom::shown(runs["lost"])});
+  }
+  return &runs["tube"];
 }
 
 }  // namespace
@@ -136,7 +148,7 @@ std::optional<TubeRecord> parse_tube(std::string_view json, std::string_view sou
   const JsonFields fields(tube->dump(), source, line);
   TubeRecord out = proved ? read_proved(fields) : read_statistics(fields);
   out.id = flight.text("id");
-  out.claim.law = flight.word("controller", kControlLawWords, ControlLaw::cascade);
+  out.claim.law = read_law(flight);
   out.provenance = geom::read_provenance(flight);
   return out;
 }
@@ -155,10 +167,7 @@ TubeClaim read_tube_claim(const geom::JsonFields& fields) {
   out.kind = fields.word("kind", kTubeKindWords, TubeKind::statistics);
   out.largest = length(fields, "largest", geom::kLargestCoordinate);
   out.tilt = length(fields, "tilt", std::numbers::pi);
-  if (!fields.has("controller")) {
-    fields.refuse({.key = "controller", .expected = "a word", .found = "none"});
-  }
-  out.law = fields.word("controller", kControlLawWords, ControlLaw::cascade);
+  out.law = read_law(fields);
   if (out.kind == TubeKind::proved) out.disturbances = read_disturbances(fields);
   return out;
 }

@@ -25,7 +25,6 @@ std::optional<geom::Fault> other(std::string expected, std::string found) {
 std::optional<geom::Fault> why_not_flown_by(const TubeRecord& tube, const geom::Vehicle& vehicle) {
   const auto& flown = tube.provenance.vehicle;
   if (flown && flown->name == vehicle.name && flown->half == vehicle.half) return std::nullopt;
-  if (tube.claim.kind == TubeKind::statistics && !flown) return std::nullopt;
   return other(fmt::format("a flight of the vehicle {}", shown(vehicle)),
                flown ? shown(*flown) : "none");
 }
@@ -52,7 +51,7 @@ std::optional<geom::Fault> why_not_of(const TubeRecord& tube, const Trajectory& 
                        .advice = "allow less wind, gusts or mass error, or fly slower"};
   }
   const std::string hash = trajectory_hash(trajectory);
-  if (!tube.trajectory.empty() && tube.trajectory != hash) {
+  if (tube.trajectory != hash) {
     return other(fmt::format("a tube of the trajectory with hash {}", hash),
                  fmt::format("one of {}", tube.trajectory));
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/reading.h"
+#include "traj/curve/trajectory_hash.h"
 #include "traj/record/verdict.h"
 #include "traj/scenes.h"
 
@@ -32,11 +33,13 @@ FlightLog log(const std::string& id) {
   return out;
 }
 
-std::string tube(const std::string& id, int periods) {
+std::string tube(const std::string& id, int periods, const Trajectory& trajectory) {
   std::string radius = "1";
   for (int i = 1; i < periods; ++i) radius += ",1";
   return R"({"type":"flight","id":")" + id +
-         R"(","ok":true,"monte_carlo":{"tube":{"period":1,"radius":[)" + radius + "]}}}\n";
+         R"(","ok":true,"controller":"cascade","monte_carlo":{"tube":{"period":1,"largest":1,)"
+         R"("tilt":0.1,"trajectory":")" +
+         trajectory_hash(trajectory) + R"(","radius":[)" + radius + "]}}}\n";
 }
 
 TEST(FlightLogCheck, HoldsALogAgainstThePlanOfItsId) {
@@ -100,10 +103,12 @@ TEST(FlightLogCheck, LeavesOutPlansWithoutATrajectory) {
 TEST(FlightLogCheck, TakesTubesThatAreAsLongAsTheirPlan) {
   FlightLogCheck check;
   check.add_plan(plan("a", 3));
-  check.read_tubes(support::Text(tube("a", 3)), "tubes");
+  check.read_tubes(support::Text(tube("a", 3, plan("a", 3).trajectory)), "tubes");
   EXPECT_TRUE(check.judge(log("a"), scene()).tube);
-  EXPECT_THROW(check.read_tubes(support::Text(tube("a", 2)), "tubes"), geom::InputError);
-  EXPECT_THROW(check.read_tubes(support::Text(tube("b", 3)), "tubes"), geom::InputError);
+  EXPECT_THROW(check.read_tubes(support::Text(tube("a", 2, plan("a", 3).trajectory)), "tubes"),
+               geom::InputError);
+  EXPECT_THROW(check.read_tubes(support::Text(tube("b", 3, plan("a", 3).trajectory)), "tubes"),
+               geom::InputError);
 }
 
 TEST(FlightLogCheck, JudgesByItsRule) {

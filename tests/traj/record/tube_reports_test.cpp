@@ -70,6 +70,19 @@ TEST(TubeReports, RefuseTheTubeOfAnother) {
   EXPECT_TRUE(support::says(refusal(nobody, plan("a")), "found none"));
 }
 
+// Of runs, too.
+TEST(TubeReports, RefuseATubeOfNobodyKnowsWhichVehicle) {
+  const TubeReports tubes =
+      read(R"({"type":"flight","id":"a","controller":"cascade","monte_carlo":{"tube":{"period":1,)"
+           R"("largest":0.3,"tilt":0.2,"trajectory":")" +
+           trajectory_hash(plan("a").trajectory) +
+           R"(","radius":[0.3]}}})"
+           "\n");
+  EXPECT_TRUE(support::says(
+      support::refusal_of([&] { tubes.tube_of("a", plan("a").trajectory, kOver); }), "found none"));
+  EXPECT_TRUE(tubes.tube_of("a", plan("a").trajectory, {.frame = geom::Axes::enu}));
+}
+
 TEST(TubeReports, RefuseATubeThatIsShorterOrLongerThanItsTrajectory) {
   for (const std::size_t periods : {1, 9, 11}) {
     EXPECT_TRUE(support::says(refusal(report_of(plan("a"), periods), plan("a")), "for the 0.95 s"))

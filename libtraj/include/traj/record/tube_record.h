@@ -3,10 +3,10 @@
 // The tube of a flight, read back from the report of skyway-fly, and what it says of itself.
 //
 // Example:
-//   const auto tube = traj::parse_tube(
-//       R"({"type":"flight","id":"q1","monte_carlo":{"tube":{"period":0.1,"radius":[0.2,0.3]}}})",
-//       "flights.jsonl", 1);
-//   assert(tube->claim.kind == traj::TubeKind::statistics && tube->claim.largest == 0.3);
+//   const std::string report = "{\"type\":\"flight\",\"id\":\"q1\", …}";  // of skyway-fly --runs
+//   const auto tube = traj::parse_tube(report, "flights.jsonl", 1);
+//   assert(tube->claim.kind == traj::TubeKind::statistics);
+//   assert(tube->radius.size() > 1);
 
 #include <optional>
 #include <string>
@@ -46,15 +46,15 @@ struct TubeRecord {
   TubeClaim claim = {};
   std::vector<double> radius = {};   // m, in each period; empty: the proof was refused
   double period = 0;                 // s, > 0
-  std::string trajectory = {};       // trajectory_hash(); empty: the report does not say
+  std::string trajectory = {};       // trajectory_hash(); empty: the proof was refused
   std::string refused = {};          // why there is no proof: a word of kTubeTroubleWords
   geom::Provenance provenance = {};  // of the flight
 };
 
 // Of a report that has a proved tube and one of runs, the proved one; nothing for a flight without
-// any. Throws InputError(source, line, …) for what is no report of a flight and for a tube that
-// cannot be: a radius that is not finite, is negative or is missing; of a proved tube also a
-// largest radius that is not the largest and a member that is not known here.
+// any. Throws InputError(source, line, …) for what is no report of a flight, and for a tube with a
+// radius that cannot be, another largest one, or no tilt, controller or hash of its trajectory; for
+// a proved one with a member that is not known here, and for one of runs of which some were lost.
 std::optional<TubeRecord> parse_tube(std::string_view json, std::string_view source,
                                      std::size_t line);
 

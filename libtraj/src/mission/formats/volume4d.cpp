@@ -66,7 +66,10 @@ MissionProof prove(const geom::CollisionScene& scene, const MissionTask& task) {
     proof.refusal = in_words(*tube, geom::provenance_of(scene), scene.map());
     return proof;
   }
-  if (tube) proof.written.note = "its volumes hold " + in_words(tube->claim);
+  if (tube)
+    proof.written.note =
+        fmt::format("its volumes hold {}, as its report says, which was not proved again",
+                    in_words(tube->claim));
   const std::string& id = task.flight->id;
   for (const Segment& s : task.enu.segments) {
     require_near_origin({s.point.begin(), s.point.end()}, flight.origin, id);
