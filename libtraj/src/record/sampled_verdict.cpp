@@ -1,4 +1,8 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <string>
+#include <vector>
 
 #include "geom/text/rounded.h"
 #include "traj/record/verdict.h"
@@ -52,8 +56,17 @@ std::string touch_in_words(const SampledReport& report, const geom::BoxMap& map)
 }  // namespace
 
 std::string rests_on_in_words(const SampledReport& report) {
-  return report.map_said ? ""
-                         : "the log does not say its map, and was taken for this one (--override)";
+  std::vector<std::string> out;
+  if (!report.map_said) {
+    out.emplace_back("the log does not say its map, and was taken for this one (--override)");
+  }
+  if (report.tube && report.plan->inside < report.samples) {
+    out.push_back(
+        fmt::format("it was not surely within its tube ({}) at {} of them, first at {:.6g} s",
+                    geom::word_of(kTubeKindWords, *report.tube),
+                    report.samples - report.plan->inside, report.plan->left));
+  }
+  return fmt::format("{}", fmt::join(out, "; "));
 }
 
 std::string in_words(const SampledReport& report, const geom::BoxMap& map) {

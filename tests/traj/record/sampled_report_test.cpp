@@ -126,6 +126,10 @@ TEST(SampledReport, SaysHowMuchStayedInTheTube) {
   EXPECT_TRUE(says(to_json_line(one, scene().map()),
                    "\"furthest_time\":1,\"tube\":\"statistics\",\"inside_tube\":1,\"share\":0.5,"
                    "\"left_tube\":0.5}"));
+  EXPECT_TRUE(says(rests_on_in_words(one),
+                   "not surely within its tube (statistics) at 1 of them, first at 0.5 s"));
+  one.plan->inside = 2;
+  EXPECT_EQ(rests_on_in_words(one), "");
 }
 
 }  // namespace
