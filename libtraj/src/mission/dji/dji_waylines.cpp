@@ -97,7 +97,8 @@ class WaylinesReader {
     read_finish(config);
     read_lost_link(config);
     mission_.security_height = config.number("wpml:takeOffSecurityHeight", 2, 1500);
-    mission_.transit_speed = speed(config, "wpml:globalTransitionalSpeed");
+    mission_.transit_speed =
+        std::max(speed(config, "wpml:globalTransitionalSpeed"), kDjiSlowestTransit);
     if (config.find("wpml:globalRTHHeight")) {
       mission_.return_height = config.number("wpml:globalRTHHeight", 0, kFarthestHeight);
     }

@@ -9,6 +9,9 @@
 
 namespace traj {
 
+// m/s: the least globalTransitionalSpeed that DJI documents. An aircraft may take it for less.
+inline constexpr double kDjiSlowestTransit = 1;
+
 // waypointTurnMode.
 const char* name_of(DjiTurn turn);
 

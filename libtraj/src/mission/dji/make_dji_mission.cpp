@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dji_waylines.h"
 #include "traj/mission/dji/dji_mission.h"
 
 namespace traj {
@@ -59,7 +60,7 @@ DjiMission make_dji_mission(std::span<const geom::Vec3> points, const MissionFra
   mission.aircraft = options.aircraft;
   mission.finish = options.lands ? DjiFinish::land : DjiFinish::hover;
   mission.security_height = std::clamp(first.height, kLeastSecurity, kMostSecurity);
-  mission.transit_speed = speed;
+  mission.transit_speed = std::max(speed, kDjiSlowestTransit);
   mission.without_link = action_of(options.lost_link);
   mission.gimbal = options.gimbal;
   mission.nose = options.nose;

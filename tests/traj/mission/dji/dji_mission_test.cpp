@@ -80,6 +80,10 @@ TEST(MakeDjiMission, IsNoFasterThanFifteenMetresASecond) {
   DjiOptions options;
   options.speed = 20;
   EXPECT_EQ(make_dji_mission(kPoints, kFrame, options).transit_speed, 15);
+  options.speed = 0.2;
+  const DjiMission slow = make_dji_mission(kPoints, kFrame, options);
+  EXPECT_EQ(slow.waylines[0].waypoints[0].speed, 0.2);
+  EXPECT_EQ(slow.transit_speed, 1) << "DJI documents no less";
 }
 
 }  // namespace
