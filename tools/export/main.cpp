@@ -117,6 +117,7 @@ cli::Exit export_files(const cli::Common& common, const Options& options, Output
   if (!times.text().empty()) cli::tell(common, "skyway-export", times.text());
   if (stats.is_null()) return refused ? cli::Exit::no : cli::Exit::yes;
   times.add_to(stats);
+  if (options.unchecked) stats["unchecked"] = true;
   common.write_stats(stats);
   return refused ? cli::Exit::no : cli::Exit::yes;
 }

@@ -144,9 +144,7 @@ std::array<Options::Output, 7> Options::outputs() const {
 
 void Options::require_outputs() const {
   const auto all = outputs();
-  const auto to_stdout =
-      std::count_if(all.begin(), all.end(), [](const Output& one) { return one.name == "-"; });
-  if (to_stdout > 1) {
+  if (std::ranges::count(all, std::string("-"), &Output::name) > 1) {
     throw cli::UsageError("the drone file and the files beside it cannot share stdout");
   }
   const bool each = geom::OutputNames(output, "--output").each();

@@ -76,6 +76,19 @@ void warn_of_what_is_left_out(const MissionTask& task, Warnings& warnings) {
   }
 }
 
+// Of a file that nobody checked: what it cannot say itself, and what it leaves out.
+void warn_of_unchecked(const MissionTask& task, const WrittenMission& written, Warnings& warnings) {
+  if (task.format == &kWpl || task.format == &kTello) {
+    warnings.push_back(fmt::format(
+        "a {} file has no room to say that nobody checked it: keep it apart from those that were",
+        task.format->format.word));
+  }
+  const double missed = missed_end(task, read_again(task, written));
+  if (missed <= kEndGap) return;
+  warnings.push_back(
+      fmt::format("{}: the file ends {:.3g} m from the flight's end", task.flight->id, missed));
+}
+
 // `result`: null where it was not checked.
 Warnings warnings_of(const MissionTask& task, const WrittenMission& written,
                      const CheckResult* result) {
@@ -174,6 +187,7 @@ MissionExport export_unchecked(const ExportFlight& flight, const Limits& limits,
   WrittenMission written = format.write(
       task, task.path.empty() ? straight_legs(task.enu, options.tolerance) : task.path);
   Warnings warnings = warnings_of(task, written, nullptr);
+  warn_of_unchecked(task, written, warnings);
   return {std::move(written), {}, {}, std::move(warnings)};
 }
 

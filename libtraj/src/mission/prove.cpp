@@ -13,8 +13,7 @@
 namespace traj {
 namespace {
 
-constexpr int kAttempts = 10;     // of tolerances, halved each time
-constexpr double kEndGap = 0.02;  // m: how well straight legs must meet the ends
+constexpr int kAttempts = 10;  // of tolerances, halved each time
 
 // The flight keeps to fences in a file of their own, too.
 void add_fences(const WrittenMission& written, const Placement& placement, const geom::Frame& frame,
@@ -35,19 +34,12 @@ void add_fences(const WrittenMission& written, const Placement& placement, const
 // What the bytes make the drone fly, judged.
 CheckResult judge_written(const geom::CollisionScene& scene, const MissionTask& task,
                           const WrittenMission& written) {
-  const geom::Frame& frame = scene.map().spec().frame;
-  MissionReading reading = written.reading;
-  reading.flier = task.options.flier;
-  auto read = read_mission(written.text, "what was written", *task.format, reading, frame);
-  if (read.size() != 1) throw geom::InputError("what was written", {.expected = "one flight"});
-  Flown& flown = read.front().flown;
-  add_fences(written, reading.placement, frame, flown);
+  Flown flown = read_again(task, written);
+  add_fences(written, written.reading.placement, task.frame, flown);
   CheckResult result = judge(scene, flown, task.limits, Clearance::left_out);
+  const double missed = missed_end(task, flown);
+  if (!result.ok || missed <= kEndGap) return result;
   const FlownLegs* legs = legs_of(flown);
-  if (!result.ok || !legs) return result;
-  const Vec3 end = geom::to_enu(frame.axes, task.enu.segments.back().point[kDegree]);
-  const double missed = (legs->path.back() - end).norm();
-  if (missed <= kEndGap) return result;
   result.ok = false;
   result.reason = Reason::end;
   result.time = static_cast<double>(legs->path.size() - 1);
@@ -81,6 +73,22 @@ bool is_settled(Reason reason) {
 }
 
 }  // namespace
+
+Flown read_again(const MissionTask& task, const WrittenMission& written) {
+  constexpr const char* kWritten = "what was written";
+  MissionReading reading = written.reading;
+  reading.flier = task.options.flier;
+  auto read = read_mission(written.text, kWritten, *task.format, reading, task.frame);
+  if (read.size() != 1) throw geom::InputError(kWritten, {.expected = "one flight"});
+  return std::move(read.front().flown);
+}
+
+double missed_end(const MissionTask& task, const Flown& flown) {
+  const FlownLegs* legs = legs_of(flown);
+  if (!legs) return 0;
+  const Vec3 end = geom::to_enu(task.frame.axes, task.enu.segments.back().point[kDegree]);
+  return (legs->path.back() - end).norm();
+}
 
 MissionProof write_proved(const geom::CollisionScene& scene, const MissionTask& task) {
   const MissionFormat& format = *task.format;

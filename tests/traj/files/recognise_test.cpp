@@ -39,6 +39,7 @@ TEST(Recognise, KnowsOtherBeginningsOfAFormat) {
   EXPECT_EQ(what(zip("[Content_Types].xml", "")), "an office document");
   EXPECT_EQ(what("id,t_s,east_m,north_m,up_m,"), "a flight log");
   EXPECT_EQ(what("t_s,x_m,y_m\n"), "a table of setpoints");
+  EXPECT_EQ(what("t_s,n_m,e_m,d_m\n"), "a table of setpoints");
 }
 
 TEST(Recognise, NamesStreamsByTheTypeOfTheirFirstRecord) {

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "geom/base/error.h"
 #include "geom/base/usage_error.h"
+#include "support/reading.h"
 #include "traj/flight/vehicle_profile.h"
 #include "traj/mission/formats/mission_formats.h"
 #include "traj/mission/judge/judge.h"
@@ -138,6 +140,51 @@ TEST(ExportMission, WarnsOfWhatAFileLeavesOut) {
   ExportOptions tracking;
   tracking.flier.tracking = Uncertainty{0.1, 0.1};
   EXPECT_FALSE(warned(kSetpoints, tracking, "--tracking"));
+}
+
+// A straight line from rest to rest at 1 m/s in the mean, and without a departure.
+ExportFlight straight(double metres) {
+  const Vec3 a(0, 0, 1);
+  const Vec3 b(metres, 0, 1);
+  return {"straight", {{{metres, {a, a, a, a, b, b, b, b}, {}}}}};
+}
+
+TEST(ExportUnchecked, MarksTablesToo) {
+  const auto head_of = [](const MissionFormat& format) {
+    const MissionExport made = export_unchecked(straight(30), {}, {}, format);
+    EXPECT_TRUE(made.warnings.empty());
+    return made.written->text.substr(0, made.written->text.find('\n'));
+  };
+  EXPECT_TRUE(head_of(kCrazyflie).ends_with(",UNCHECKED: not compared with any map"));
+  EXPECT_TRUE(head_of(kSetpoints).ends_with(",unchecked"));
+}
+
+// Where no line may say so.
+TEST(ExportUnchecked, WarnsOfFilesThatCannotSayIt) {
+  for (const MissionFormat* format : {&kWpl, &kTello}) {
+    const MissionExport made = export_unchecked(straight(30), {}, {}, *format, options());
+    ASSERT_FALSE(made.warnings.empty()) << format->format.word;
+    EXPECT_TRUE(support::says(made.warnings.back(), "no room to say that nobody checked it"));
+  }
+}
+
+// Else a ground station would send what is left of their number in 16 bits.
+TEST(ExportUnchecked, WritesNoMissionOfMoreItemsThanMavlinkSends) {
+  ExportFlight flight = straight(30);
+  for (int i = 0; i < 65540; ++i) flight.path.emplace_back(i % 2, 0, 10);
+  EXPECT_THROW(export_unchecked(flight, {}, {}, kWpl, options()), geom::InputError);
+  flight.path.resize(1000);
+  flight.path.emplace_back(30, 0, 1);
+  EXPECT_TRUE(export_unchecked(flight, {}, {}, kWpl, options()).written);
+}
+
+TEST(ExportUnchecked, WritesNothingThatItsFormatDoesNotAllow) {
+  EXPECT_EQ(export_unchecked(straight(100), {}, {}, kTello).warnings.size(), 1u);
+  EXPECT_THROW(export_unchecked(straight(60000), {}, {}, kTello), geom::InputError);
+  EXPECT_THROW(export_unchecked(straight(70000), {}, {}, kCrazyflie), geom::InputError);
+  const MissionExport near = export_unchecked(straight(0.15), {}, {}, kTello);
+  ASSERT_FALSE(near.warnings.empty());
+  EXPECT_TRUE(support::says(near.warnings.back(), "ends 0.15 m from the flight's end"));
 }
 
 TEST(ExportUnchecked, MarksTheFileAndKnowsNoVolumes) {

@@ -128,7 +128,7 @@ void require_header(std::string text, std::string_view source) {
   }
   const bool prefix =
       wanted.starts_with(found) && (found.size() == wanted.size() || wanted[found.size()] == ',');
-  if (!prefix) {
+  if (!prefix && !found.starts_with(wanted + ",unchecked")) {
     throw geom::InputError(source, 1,
                            {.expected = fmt::format("the header {}", wanted),
                             .found = geom::in_quotes(text.substr(0, 60))});
@@ -371,6 +371,9 @@ WrittenMission write(const MissionTask& task, const geom::Polyline&) {
   geom::TextOutput text;
   write_crazyflie(text, task.enu);
   WrittenMission written{text.str()};
+  if (const std::string note = unchecked_note(task); !note.empty()) {
+    written.text.insert(written.text.find('\n'), ',' + note);  // programs skip the header
+  }
   written.reading.placement = task.options.placement;
   written.memory = crazyflie_memory(task.enu);
   return written;
@@ -383,7 +386,9 @@ std::string memory_warning(const MissionTask& task) {
       "{}: {} segments; a Crazyflie's memory holds {}{}", task.flight->id, task.enu.segments.size(),
       kCrazyflieSegments,
       memory.compressed_fits
-          ? fmt::format(" (compressed they take {} of its 4096 bytes)", memory.compressed_bytes)
+          ? fmt::format(" (compressed they take {} of its 4096 bytes, but that rounds to "
+                        "millimetres and milliseconds, which was not looked at)",
+                        memory.compressed_bytes)
           : ", nor do they fit compressed");
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "geom/base/error.h"
 #include "geom/map/geographic_frame.h"
 #include "geom/text/counted.h"
 
@@ -118,6 +119,14 @@ double slowing_way(const MissionTask& task, double speed) {
 }  // namespace
 
 ReadFlights fly_mission(const Mission& mission, const ReadTask& task) {
+  // MAVLink counts them in 16 bits, and home is one more.
+  constexpr std::size_t kMostSent = 65534;
+  if (mission.items.size() > kMostSent) {
+    throw geom::InputError(
+        task.source,
+        {.expected = fmt::format("at most {} items, as MAVLink sends no more", kMostSent),
+         .found = fmt::to_string(mission.items.size())});
+  }
   MissionRules rules = task.how.flier.rules(task.how.rules);
   rules.home = task.how.placement.ground;
   const MissionFrame over = task.how.placement.mission_frame(task.frame);

@@ -28,6 +28,7 @@ constexpr std::string_view kEnuHeader =
     "yaw_rad,yaw_rate_rad_s";
 constexpr std::string_view kNedHeader =
     "t_s,n_m,e_m,d_m,vn_m_s,ve_m_s,vd_m_s,an_m_s2,ae_m_s2,ad_m_s2,yaw_rad,yaw_rate_rad_s";
+constexpr std::string_view kUnchecked = ",unchecked";  // one more column, of 1 in each row
 constexpr std::size_t kColumns = 12;
 using Row = std::array<double, kColumns>;
 
@@ -59,7 +60,8 @@ Setpoint setpoint_of(const Row& row) {
   return s;
 }
 
-Row parse_row(std::string_view text, std::string_view source, std::size_t line) {
+Row parse_row(std::string_view text, std::size_t columns, std::string_view source,
+              std::size_t line) {
   Row row;
   std::size_t count = 0;
   for (std::size_t at = 0; at <= text.size(); ++count) {
@@ -76,10 +78,10 @@ Row parse_row(std::string_view text, std::string_view source, std::size_t line) 
     if (count < kColumns) row[count] = value;
     at = stop + 1;
   }
-  if (count != kColumns) {
+  if (count != columns) {
     throw geom::InputError(
         source, line,
-        {.expected = fmt::format("{} columns", kColumns), .found = fmt::to_string(count)});
+        {.expected = fmt::format("{} columns", columns), .found = fmt::to_string(count)});
   }
   return row;
 }
@@ -115,8 +117,10 @@ std::vector<Setpoint> setpoints(const Trajectory& enu, double rate) {
   return made;
 }
 
-void write_setpoints(std::ostream& out, const std::vector<Setpoint>& setpoints, SetpointAxes axes) {
+void write_setpoints(std::ostream& out, const std::vector<Setpoint>& setpoints, SetpointAxes axes,
+                     bool checked) {
   std::string text(axes == SetpointAxes::enu ? kEnuHeader : kNedHeader);
+  if (!checked) text += kUnchecked;
   for (const Setpoint& s : setpoints) {
     const char* separator = "\n";
     for (const double value : row_of(axes == SetpointAxes::enu ? s : swapped(s))) {
@@ -124,6 +128,7 @@ void write_setpoints(std::ostream& out, const std::vector<Setpoint>& setpoints, 
       geom::append_number(text, value == 0 ? 0.0 : value);  // no "-0"
       separator = ",";
     }
+    if (!checked) text += ",1";
   }
   out << text << '\n';
 }
@@ -131,6 +136,7 @@ void write_setpoints(std::ostream& out, const std::vector<Setpoint>& setpoints, 
 std::vector<Setpoint> read_setpoints(std::istream& in, std::string_view source) {
   std::vector<Setpoint> read;
   SetpointAxes axes = SetpointAxes::enu;
+  std::size_t columns = kColumns;
   std::string text;
   for (std::size_t line = 1; std::getline(in, text); ++line) {
     if (in.eof()) {
@@ -141,10 +147,14 @@ std::vector<Setpoint> read_setpoints(std::istream& in, std::string_view source) 
     }
     if (text.ends_with('\r')) text.pop_back();
     if (line == 1) {
+      if (text.ends_with(kUnchecked)) {
+        text.resize(text.size() - kUnchecked.size());
+        ++columns;
+      }
       axes = axes_of_header(text, source);
       continue;
     }
-    Setpoint s = setpoint_of(parse_row(text, source, line));
+    Setpoint s = setpoint_of(parse_row(text, columns, source, line));
     if (axes == SetpointAxes::ned) s = swapped(s);
     if (!read.empty() && !(s.time > read.back().time)) {
       throw geom::InputError(source, line,
@@ -174,14 +184,14 @@ WrittenMission write(const MissionTask& task, const geom::Polyline&) {
   require_few_rows(duration(task.enu), task.options.rate);
   geom::TextOutput text;
   write_setpoints(text, setpoints(task.enu, task.options.rate),
-                  task.options.ned ? SetpointAxes::ned : SetpointAxes::enu);
+                  task.options.ned ? SetpointAxes::ned : SetpointAxes::enu, task.checked);
   WrittenMission written{text.str()};
   written.reading.placement = task.options.placement;
   return written;
 }
 
-std::vector<std::string> warnings(const MissionTask& task, const CheckResult*) {
-  if (task.options.flier.tracking) return {};
+std::vector<std::string> warnings(const MissionTask& task, const CheckResult* result) {
+  if (!result || task.options.flier.tracking) return {};
   return {task.flight->id +
           ": a setpoints file is proved for a vehicle that is where its setpoint "
           "is; PX4 1.17 was up to 0.73 m away: --tracking H,V allows for that"};
@@ -200,11 +210,13 @@ std::string remedy(const MissionTask& task, const CheckResult& result) {
 }  // namespace
 
 constinit const MissionFormat kSetpoints{
-    .format = {.word = "setpoints",
-               .what = "a table of setpoints",
-               .begins = geom::any_of<geom::text_begins_with<"t_s,east_m,">,
-                                      geom::text_begins_with<"t_s,x_m,">>,
-               .readers = kReaders},
+    .format =
+        {.word = "setpoints",
+         .what = "a table of setpoints",
+         .begins =
+             geom::any_of<geom::text_begins_with<"t_s,east_m,">, geom::text_begins_with<"t_s,n_m,">,
+                          geom::text_begins_with<"t_s,x_m,">>,
+         .readers = kReaders},
     .may_be = [](std::string_view text) { return text_head(text).starts_with("t_s,"); },
     .read = [](std::istream& in, const ReadTask& task) -> ReadFlights {
       return {{{FlownSetpoints{read_setpoints(in, task.source)}}}};

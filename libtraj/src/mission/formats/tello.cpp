@@ -283,6 +283,19 @@ std::string heading_note(const MissionTask& task) {
   return note;
 }
 
+// DJITelloPy sends a command again if no answer comes within 7 s, and programs of Ryze's send the
+// next one after 15 s. Either way the drone would then fly elsewhere.
+std::string note_of_answers(const TelloFlight& flight) {
+  constexpr double kPatience = 7;  // s
+  double most = 0;
+  for (const TelloLeg& leg : flight.legs) most = std::max(most, time_of(leg));
+  if (most <= kPatience) return "";
+  return fmt::format(
+      "a leg takes about {:.0f} s: what sends the script must wait that long for the drone's "
+      "answer, and send no command twice (--python writes such a program)",
+      most);
+}
+
 WrittenMission write(const MissionTask& task, const geom::Polyline& legs) {
   const int speed = centimetres_a_second(task);
   Placement placement = task.options.placement;
@@ -290,6 +303,13 @@ WrittenMission write(const MissionTask& task, const geom::Polyline& legs) {
   const Vec3 ground(legs.front().x(), legs.front().y(), task.ground);
   const TelloStart start = start_of(placement, ground);
   const TelloFlight flight = tello_flight(legs, start, speed, task.options.lands);
+  if (flight.legs.size() >= kMostLegs) {
+    throw geom::InputError(
+        task.flight->id, {.expected = fmt::format("a flight of fewer than {} legs, each of 5 m at "
+                                                  "most along an axis",
+                                                  kMostLegs),
+                          .found = "a longer one"});
+  }
   geom::TextOutput text;
   geom::TextOutput python;
   geom::TextOutput csv;
@@ -299,6 +319,7 @@ WrittenMission write(const MissionTask& task, const geom::Polyline& legs) {
   WrittenMission written{text.str(), python.str(), csv.str()};
   written.reading.placement = placement;
   written.reading.start = geom::to_enu(task.frame.axes, ground);
+  written.note = note_of_answers(flight);
   const std::size_t count = flight.legs.size();
   written.estimates.push_back({"tello", {tello_times(flight, start).back(), count, count}});
   return written;

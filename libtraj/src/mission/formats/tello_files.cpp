@@ -35,9 +35,9 @@ finally:
 void write_tello_python(std::ostream& out, const TelloFlight& flight, const TelloStart& start,
                         std::string_view note) {
   out << fmt::format(
-      "\"\"\"{}\n\nStand the drone at east {:.2f} m, north {:.2f} m, up {:.2f} m of the map, its "
+      "\"\"\"{}\n\nStand the drone at east {:.3f} m, north {:.3f} m, up {:.3f} m of the map, its "
       "nose "
-      "{:.1f} degrees clockwise\nfrom north. It is expected to hover {:.2f} m above the ground "
+      "{:.6g} degrees clockwise\nfrom north. It is expected to hover {:.6g} m above the ground "
       "after "
       "taking off.\n\"\"\"\n",
       note, start.ground.x(), start.ground.y(), start.ground.z(),

@@ -38,6 +38,20 @@ TEST(Crazyflie, TakesACommaAtTheEndOfALineAndCrLf) {
                 .point);
 }
 
+TEST(Crazyflie, TakesANoteInItsHeaderThatNobodyCheckedIt) {
+  std::stringstream file;
+  write_crazyflie(file, example());
+  const std::string text = file.str();
+  const auto with = [&](const std::string& name) {
+    return std::string(text).insert(text.find('\n'), name);
+  };
+  const Trajectory read =
+      read_crazyflie(support::Text(with(",UNCHECKED: not compared with any map")), "c.csv")
+          .trajectory;
+  EXPECT_EQ(read.segments.size(), example().segments.size());
+  EXPECT_THROW(read_crazyflie(support::Text(with(",x^8")), "c.csv"), geom::InputError);
+}
+
 TEST(Crazyflie, CountsItsMemory) {
   Trajectory t = example();
   EXPECT_EQ(crazyflie_memory(t).bytes, 264u);

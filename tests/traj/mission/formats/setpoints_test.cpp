@@ -58,6 +58,15 @@ TEST(Setpoints, NedIsNorthEastDownWithYawFromNorth) {
             "0.5,2,1,-3,5,4,-6,8,7,-9,1.5707963267948966,-0.25\n");
 }
 
+TEST(Setpoints, OfATableThatNobodyCheckedHaveOneColumnMore) {
+  std::stringstream file;
+  write_setpoints(file, setpoints(example(), 7), SetpointAxes::ned, false);
+  const std::string text = file.str();
+  EXPECT_TRUE(text.substr(0, text.find('\n')).ends_with(",yaw_rate_rad_s,unchecked"));
+  EXPECT_TRUE(text.ends_with(",1\n"));
+  EXPECT_EQ(read_setpoints(file, "s.csv").size(), setpoints(example(), 7).size());
+}
+
 TEST(Setpoints, BadTablesAreRefused) {
   const auto read = [](std::istream& in) { read_setpoints(in, "s.csv"); };
   const std::string head =

@@ -61,9 +61,9 @@ struct CrazyflieFlight {
 inline constexpr double kCrazyflieLongest = 65536;  // s
 
 // A first line that begins with a letter is the header, whose names must be those columns, as many
-// as it has; lines may end with a comma. Throws geom::InputError(source, line, …) where the text is
-// not such a table, for a flight of over 65536 s or beyond 1e8 m, numbers beyond single precision,
-// and a last line without its end, which may have lost digits.
+// as it has (and "UNCHECKED…"); lines may end with a comma. Throws geom::InputError(source, line,
+// …) where the text is not such a table, for a flight of over 65536 s or beyond 1e8 m, numbers
+// beyond single precision, and a last line without its end, which may have lost digits.
 CrazyflieFlight read_crazyflie(std::istream& in, std::string_view source);
 
 }  // namespace traj

@@ -22,13 +22,15 @@ enum class SetpointAxes { enu, ned };
 // Yaw is 0 where none is given.
 std::vector<Setpoint> setpoints(const Trajectory& enu, double rate);
 
-// `t_s`, then position, velocity, acceleration, yaw and yaw rate. ENU: x_m,y_m,z_m,vx_m_s,… with
-// yaw counterclockwise from east; NED: n_m,e_m,d_m,vn_m_s,… with yaw clockwise from north.
-void write_setpoints(std::ostream& out, const std::vector<Setpoint>& setpoints, SetpointAxes axes);
+// `t_s`, then position, velocity, acceleration, yaw and yaw rate. ENU: east_m,north_m,up_m,… with
+// yaw counterclockwise from east; NED: n_m,e_m,d_m,vn_m_s,… with yaw clockwise from north. A table
+// that nobody checked has one more column, `unchecked`, of 1 in each row.
+void write_setpoints(std::ostream& out, const std::vector<Setpoint>& setpoints, SetpointAxes axes,
+                     bool checked = true);
 
-// The rows of either table, in ENU. Throws geom::InputError(source, line, …) for another header, a
-// row that is not 12 finite numbers, times that do not grow, fewer than two rows, and a last line
-// without its end, which may have lost digits.
+// The rows of either table, checked or not, in ENU. Throws geom::InputError(source, line, …) for
+// another header, a row that is not 12 finite numbers, times that do not grow, fewer than two rows,
+// and a last line without its end, which may have lost digits.
 std::vector<Setpoint> read_setpoints(std::istream& in, std::string_view source);
 
 }  // namespace traj
