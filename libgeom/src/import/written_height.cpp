@@ -247,11 +247,6 @@ std::optional<double> smallest(const std::vector<double>& values) {
 
 }  // namespace
 
-std::optional<double> parse_length(std::string_view text, double bare) {
-  const std::vector<double> values = lengths_of(text, bare);
-  return values.size() == 1 ? std::optional(values.front()) : std::nullopt;
-}
-
 std::optional<double> parse_highest(std::string_view text, double bare) {
   return largest(lengths_of(text, bare));
 }

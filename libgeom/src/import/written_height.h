@@ -7,14 +7,11 @@
 
 namespace geom {
 
-// A length in metres from text such as "12.13 m", "12,5", "40 ft 6 in", "100'-11\"" or "~15";
-// nothing where the text says anything else beside it, or the length is not in [-1e4, 1e4]. A
-// number that names no unit is of `bare` metres. "1,250 ft" is read as thousands, "12,125 m" is
+// The largest and the smallest length, in metres, in text such as "12.13 m", "12,5", "40 ft 6 in",
+// "100'-11\"", "~15", "3;4" or "30-40 m"; nothing where one part is not understood, as that might
+// have been the one, or is not in [-1e4, 1e4]. Numbers before one with a unit are of that unit;
+// where none is named, they are of `bare` metres. "1,250 ft" is read as thousands, "12,125 m" is
 // not: where both readings are possible, no building is as high as 1000 m.
-std::optional<double> parse_length(std::string_view text, double bare = 1);
-
-// The largest and the smallest length in text such as "3;4" or "30-40 m"; nothing where one part is
-// not understood, as that might have been the one. Numbers before one with a unit are of that unit.
 std::optional<double> parse_highest(std::string_view text, double bare = 1);
 std::optional<double> parse_lowest(std::string_view text, double bare = 1);
 

@@ -10,43 +10,61 @@
 namespace geom {
 namespace {
 
-TEST(ParseLength, UnderstandsWhatPeopleWrite) {
-  EXPECT_EQ(parse_length("12.13 m"), 12.13);
-  EXPECT_EQ(parse_length("12,5"), 12.5);
-  EXPECT_EQ(parse_length(" ~15m "), 15);
-  EXPECT_EQ(parse_length("15 Metres"), 15);
-  EXPECT_EQ(parse_length("-3"), -3);
-  EXPECT_DOUBLE_EQ(*parse_length("40 ft"), 12.192);
-  EXPECT_DOUBLE_EQ(*parse_length("7'4\""), 7 * 0.3048 + 4 * 0.0254);
-  EXPECT_EQ(parse_length("250 cm"), 2.5);
+TEST(ParseHighest, UnderstandsWhatPeopleWrite) {
+  EXPECT_EQ(parse_highest("12.13 m"), 12.13);
+  EXPECT_EQ(parse_highest("12,5"), 12.5);
+  EXPECT_EQ(parse_highest(" ~15m "), 15);
+  EXPECT_EQ(parse_highest("15 Metres"), 15);
+  EXPECT_EQ(parse_highest("-3"), -3);
+  EXPECT_DOUBLE_EQ(*parse_highest("40 ft"), 12.192);
+  EXPECT_DOUBLE_EQ(*parse_highest("7'4\""), 7 * 0.3048 + 4 * 0.0254);
+  EXPECT_EQ(parse_highest("250 cm"), 2.5);
 }
 
-TEST(ParseLength, AddsInchesToFeet) {
+TEST(ParseHighest, AddsInchesToFeet) {
   const double most = 100 * 0.3048 + 11 * 0.0254;
   for (const char* text : {"100'-11\"", "100' 11\"", "100'11\"", "100' 11", "100 ft 11 in",
                            "100ft 11in", "100 feet 11 inches", "100′ 11″", "100 ft. 11 in."}) {
-    ASSERT_TRUE(parse_length(text)) << text;
-    EXPECT_NEAR(*parse_length(text), most, 1e-12) << text;
+    ASSERT_TRUE(parse_highest(text)) << text;
+    EXPECT_NEAR(*parse_highest(text), most, 1e-12) << text;
   }
 }
 
-TEST(ParseLength, ReadsThousandsWhereABuildingMayBeAsHigh) {
-  EXPECT_DOUBLE_EQ(*parse_length("1,250 ft"), 1250 * 0.3048);
-  EXPECT_DOUBLE_EQ(*parse_length("1,250.5 ft"), 1250.5 * 0.3048);
-  EXPECT_DOUBLE_EQ(*parse_length("1,250", 0.3048), 1250 * 0.3048);
-  EXPECT_EQ(parse_length("12,125 m"), 12.125);
-  EXPECT_EQ(parse_length("1,250"), 1.25);
-  EXPECT_EQ(parse_length("0,250 ft"), 0.25 * 0.3048);
+TEST(ParseHighest, ReadsThousandsWhereABuildingMayBeAsHigh) {
+  EXPECT_DOUBLE_EQ(*parse_highest("1,250 ft"), 1250 * 0.3048);
+  EXPECT_DOUBLE_EQ(*parse_highest("1,250.5 ft"), 1250.5 * 0.3048);
+  EXPECT_DOUBLE_EQ(*parse_highest("1,250", 0.3048), 1250 * 0.3048);
+  EXPECT_EQ(parse_highest("12,125 m"), 12.125);
+  EXPECT_EQ(parse_highest("1,250"), 1.25);
+  EXPECT_EQ(parse_highest("0,250 ft"), 0.25 * 0.3048);
 }
 
-TEST(ParseLength, GivesNothingForTheRest) {
-  for (const char* text :
-       {"",       "tall",        "m 12",    "12 storeys", "1e9",     "nan",
-        "inf",    "--3",         "12.1.3x", "12 mi",      "3;4",     "12 m, 30 m with antenna",
-        "12 m2",  "12+",         ">12",     "3+2",        "12 18",   "5 ft 6",
-        "5'13\"", "1,25,000 ft", "1.250,5", "1 250 ft",   "12 m ±1", "12''",
-        "20000"}) {
-    EXPECT_FALSE(parse_length(text)) << text;
+TEST(ParseHighest, GivesNothingForTheRest) {
+  for (const char* text : {"",
+                           "tall",
+                           "m 12",
+                           "12 storeys",
+                           "1e9",
+                           "nan",
+                           "inf",
+                           "--3",
+                           "12.1.3x",
+                           "12 mi",
+                           "12 m, 30 m with antenna",
+                           "12 m2",
+                           "12+",
+                           ">12",
+                           "3+2",
+                           "12 18",
+                           "5 ft 6",
+                           "5'13\"",
+                           "1,25,000 ft",
+                           "1.250,5",
+                           "1 250 ft",
+                           "12 m ±1",
+                           "12''",
+                           "20000"}) {
+    EXPECT_FALSE(parse_highest(text)) << text;
   }
 }
 
