@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <cstdint>
-#include <cstring>
 
 #include "byte_source.h"
 #include "copc_hierarchy.h"

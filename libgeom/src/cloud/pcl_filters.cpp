@@ -4,7 +4,6 @@
 #include <pcl/console/print.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <new>
 #include <stdexcept>

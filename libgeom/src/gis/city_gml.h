@@ -4,7 +4,6 @@
 
 #include <istream>
 #include <string>
-#include <vector>
 
 #include "geom/import/city_model.h"
 

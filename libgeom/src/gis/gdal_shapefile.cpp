@@ -4,7 +4,6 @@
 #include <array>
 #include <cctype>
 #include <cstdint>
-#include <memory>
 #include <optional>
 
 #include "gdal_whole.h"

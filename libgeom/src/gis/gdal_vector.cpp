@@ -1,9 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <map>
-#include <sstream>
 
 #include "gdal_arcs.h"
 #include "gdal_gml.h"
