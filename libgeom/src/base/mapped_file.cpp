@@ -196,7 +196,7 @@ std::optional<FileState> state_of(int descriptor) {
   return state_of(info);
 }
 
-void require_unchanged(int descriptor, const FileState& opened, const std::string& path) {
+void require_unchanged_file(int descriptor, const FileState& opened, const std::string& path) {
   if (!is_as_it_was(descriptor, opened)) refuse_changed(path);
 }
 

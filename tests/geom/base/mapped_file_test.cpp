@@ -157,16 +157,16 @@ TEST(UnchangedFile, MustStayTheFileThatHasItsName) {
 }
 
 // An open one may lose its name.
-TEST(RequireUnchanged, LooksAtTheOpenFile) {
+TEST(RequireUnchangedFile, LooksAtTheOpenFile) {
   const support::TemporaryFolder folder;
   const std::string path = folder / "file";
   std::ofstream(path) << "x";
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   const auto opened = state_of(file);
   ASSERT_TRUE(opened);
-  EXPECT_NO_THROW(require_unchanged(file, *opened, path));
+  EXPECT_NO_THROW(require_unchanged_file(file, *opened, path));
   std::filesystem::remove(path);
-  EXPECT_NO_THROW(require_unchanged(file, *opened, path));
+  EXPECT_NO_THROW(require_unchanged_file(file, *opened, path));
   ::close(file);
   const int device = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
   EXPECT_FALSE(state_of(device));

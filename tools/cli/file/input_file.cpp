@@ -74,7 +74,7 @@ struct InputFile::Source {
         n = ::read(descriptor_, place, room);
       } while (n < 0 && errno == EINTR);
       if (n < 0) cannot_read(name_, errno);
-      if (n == 0 && opened_) geom::require_unchanged(descriptor_, *opened_, name_);
+      if (n == 0 && opened_) geom::require_unchanged_file(descriptor_, *opened_, name_);
       return static_cast<std::size_t>(n);
     }
 

@@ -76,7 +76,7 @@ std::optional<FileState> state_of(int descriptor);
 
 // Throws std::runtime_error, with the path, where a file that is open has changed since then. That
 // another file takes the place of its name changes nothing of what is read.
-void require_unchanged(int descriptor, const FileState& opened, const std::string& path);
+void require_unchanged_file(int descriptor, const FileState& opened, const std::string& path);
 
 // Tells the system that these bytes of a MappedFile are read next. Changes no answer.
 void read_ahead(std::span<const std::byte> bytes);
