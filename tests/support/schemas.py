@@ -1,6 +1,7 @@
 """The schemas of docs/schema, each with the definitions that it refers to."""
 
 import json
+import re
 
 import jsonschema
 
@@ -35,23 +36,32 @@ def within(node):
         yield from within(inner)
 
 
-def strict(schema):
-    """The schema, whose objects may have no other keys than those it names."""
-    wider = {node["$ref"] for node in within(schema) if type(node) is dict and {"$ref", "properties"} <= node.keys()}  # definitions with more keys there
-
-    def closed(node, place):
-        if type(node) is list:
-            return [closed(one, None) for one in node]
+def unknown_keys(schema, record):
+    """The keys of a record that Skyway itself writes which its schema does not name, as places. An object of which the schema names no key may
+    have any. Branches count whether they hold or not: jsonschema tells what is wrong with values, and not each version of it tells this."""
+    def parts(node):
         if type(node) is not dict:
-            return node
-        out = {key: closed(one, f"{place}/{key}" if place else None) for key, one in node.items()}
-        whole = {"type", "$ref"} & node.keys() and not {"additionalProperties", "patternProperties"} & node.keys()  # no condition on another
-        if whole and type(node.get("properties")) is dict and place not in wider:
-            out["unevaluatedProperties"] = False
-        return out
-    return closed(schema, "#")
+            return
+        yield node
+        inner = [schema["$defs"][node["$ref"].removeprefix("#/$defs/")]] if "$ref" in node else []
+        inner += [one for word in ("allOf", "anyOf", "oneOf") for one in node.get(word, ())]
+        inner += [node[word] for word in ("then", "else") if word in node]
+        for one in inner:
+            yield from parts(one)
 
-
-def strict_validators(source):
-    """For records that Skyway itself writes: all of their keys stand in the schemas."""
-    return {kind: jsonschema.Draft202012Validator(strict(one.schema)) for kind, one in validators(source).items()}
+    def look(nodes, value, place):
+        known = [part for node in nodes for part in parts(node)]
+        if type(value) is list:
+            for i, one in enumerate(value):
+                first = [part["prefixItems"][i] for part in known if i < len(part.get("prefixItems", ()))]
+                yield from look(first or [part["items"] for part in known if "items" in part], one, f"{place}[{i}]")
+        if type(value) is not dict:
+            return
+        for key, one in value.items():
+            named = [part["properties"][key] for part in known if key in part.get("properties", ())]
+            named += [inner for part in known for pattern, inner in part.get("patternProperties", {}).items() if re.search(pattern, key)]
+            named = named or [part["additionalProperties"] for part in known if type(part.get("additionalProperties")) is dict]
+            if not named and any("properties" in part for part in known):
+                yield f"{place}.{key}"
+            yield from look(named, one, f"{place}.{key}")
+    return list(look([schema], record, record.get("type", "")))
