@@ -11,7 +11,7 @@
 namespace cli {
 
 inline constexpr const char* kGeoidGridHelp =
-    "height of the sea level at each place, from egm96, egm2008, or a .gtx or .pgm file";
+    "the sea level: egm96, egm2008, or a .gtx or .pgm file";
 
 struct NamedGeoidGrid {
   geom::GeoidGrid grid;

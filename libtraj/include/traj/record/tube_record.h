@@ -3,10 +3,11 @@
 // The tube of a flight, read back from the report of skyway-fly, and what it says of itself.
 //
 // Example:
-//   const std::string report = "{\"type\":\"flight\",\"id\":\"q1\", …}";  // of skyway-fly --runs
-//   const auto tube = traj::parse_tube(report, "flights.jsonl", 1);
-//   assert(tube->claim.kind == traj::TubeKind::statistics);
-//   assert(tube->radius.size() > 1);
+//   const auto tube = traj::parse_tube(  // of skyway-fly --runs
+//       R"({"type":"flight","id":"q1","controller":"cascade","monte_carlo":{"lost":0,"tube":)"
+//       R"({"period":0.1,"largest":0.3,"tilt":0.2,"trajectory":"abc","radius":[0.2,0.3]}}})",
+//       "flights.jsonl", 1);
+//   assert(tube->claim.kind == traj::TubeKind::statistics && tube->claim.largest == 0.3);
 
 #include <optional>
 #include <string>

@@ -3,8 +3,9 @@
 // Tubes of the trajectories of a stream, as skyway-fly reports them.
 //
 // Example:
-//   std::istringstream file(R"({"type":"flight","id":"q1",)"
-//                           R"("monte_carlo":{"tube":{"period":0.1,"radius":[0.2]}}})");
+//   std::istringstream file(
+//       R"({"type":"flight","id":"q1","controller":"cascade","monte_carlo":{"lost":0,"tube":)"
+//       R"({"period":0.1,"largest":0.2,"tilt":0.2,"trajectory":"abc","radius":[0.2]}}})");
 //   const auto tubes = traj::TubeReports::read(file, "flights.jsonl");
 //   assert(!tubes.tube_of("q2", trajectory, {}));
 
