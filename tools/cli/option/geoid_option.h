@@ -11,7 +11,7 @@
 namespace cli {
 
 inline constexpr const char* kGeoidGridHelp =
-    "the sea level: egm96, egm2008, or a .gtx or .pgm file";
+    "sea level by egm96, egm2008, or a .gtx or .pgm file";
 
 struct NamedGeoidGrid {
   geom::GeoidGrid grid;
