@@ -30,7 +30,7 @@ def started(tool):
 def loaded():
     """(file, package) of each library that the sources load."""
     for path in sorted(source.glob("lib*/src/**/*.cpp")) + sorted(source.glob("tools/**/*.cpp")):
-        for macro, package in re.findall(r'LoadedLibrary \w+\((\w+), "([^"]+)"\)', path.read_text(encoding="utf-8")):
+        for macro, package in re.findall(r'LoadedLibrary(?: \w+)?\((\w+), "([^"]+)"\)', path.read_text(encoding="utf-8")):
             yield path, macro, package
 
 
