@@ -15,6 +15,7 @@ struct ProjLibrary {
   SKYWAY_LOADED(enable_network, proj_context_set_enable_network);
   SKYWAY_LOADED(use_init_rules, proj_context_use_proj4_init_rules);
   SKYWAY_LOADED(log_level, proj_log_level);
+  SKYWAY_LOADED(log_function, proj_log_func);
   SKYWAY_LOADED(create, proj_create);
   SKYWAY_LOADED(clone, proj_clone);
   SKYWAY_LOADED(destroy, proj_destroy);

@@ -3,7 +3,9 @@
 // What PROJ gives out, given back by itself (proj_*.cpp only).
 
 #include <memory>
+#include <stdexcept>
 
+#include "base/watched_memory.h"
 #include "geom/earth/proj_reference.h"
 #include "proj_library.h"
 
@@ -18,6 +20,35 @@ struct ObjectCloser {
   void operator()(PJ* object) const { proj().destroy(object); }
 };
 using ProjObject = std::unique_ptr<PJ, ObjectCloser>;
+
+// PROJ at work with a context: it makes the best of what it could not allocate or read, and says so
+// to its log alone.
+class WatchedProj {
+ public:
+  explicit WatchedProj(PJ_CONTEXT* context) : context_(context) {
+    proj().log_function(context_, &errors_, note);
+    proj().log_level(context_, PJ_LOG_ERROR);
+  }
+  ~WatchedProj() { proj().log_level(context_, PJ_LOG_NONE); }
+  WatchedProj(const WatchedProj&) = delete;
+  WatchedProj& operator=(const WatchedProj&) = delete;
+
+  // Throws std::bad_alloc where memory ran out, and std::runtime_error for another error.
+  void require_none() const {
+    memory_.require_enough();
+    if (failed()) throw std::runtime_error("PROJ failed, and may have found less than it knows");
+  }
+  bool failed() const { return errors_ > 0; }
+
+ private:
+  static void note(void* errors, int level, const char*) {
+    if (level == PJ_LOG_ERROR) ++*static_cast<unsigned*>(errors);
+  }
+
+  PJ_CONTEXT* context_;
+  WatchedMemory memory_;
+  unsigned errors_ = 0;
+};
 
 struct ProjReference::Impl {
   ProjContext context;

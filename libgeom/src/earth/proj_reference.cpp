@@ -167,6 +167,7 @@ std::optional<ProjReference> ProjReference::of(const std::string& text) {
   auto impl = std::make_shared<Impl>();
   impl->context = quiet_context();
   PJ_CONTEXT* const context = impl->context.get();
+  const WatchedProj watched(context);
   impl->whole = system_of(context, text);
   if (!impl->whole) return std::nullopt;
   impl->plane.reset(proj().type_of(impl->whole.get()) == PJ_TYPE_COMPOUND_CRS
@@ -177,6 +178,7 @@ std::optional<ProjReference> ProjReference::of(const std::string& text) {
   impl->own = unbound(context, impl->plane.get());
   if (!impl->own) return std::nullopt;
   impl->told = told_of(context, impl->whole.get(), impl->own.get(), text);
+  watched.require_none();
   return ProjReference(std::move(impl));
 }
 

@@ -36,10 +36,12 @@ struct ProjWay::Impl {
   ProjObject plane = nullptr;
 
   void convert(double* x, std::size_t count, std::size_t stride, PJ_DIRECTION direction) const {
+    const WatchedMemory memory;
     PJ* const first = joined ? joined.get() : from->to_places.get();
     if (direction == PJ_FWD) convert(first, x, count, stride, direction);
     if (plane) convert(plane.get(), x, count, stride, direction);
     if (direction == PJ_INV) convert(first, x, count, stride, direction);
+    memory.require_enough();
   }
 
  private:
@@ -59,11 +61,13 @@ std::optional<ProjWay> ProjWay::to_places(const ProjReference& from) {
   ProjReference::Impl& known = *from.impl_;
   if (!known.searched && from.places()) {
     PJ_CONTEXT* const context = known.context.get();
+    const WatchedProj watched(context);
     const ProjObject earth(proj().create(context, "EPSG:4326"));
     const char* const options[] = {"ALLOW_BALLPARK=NO", nullptr};
     const ProjObject way(
         earth ? proj().way(context, known.plane.get(), earth.get(), nullptr, options) : nullptr);
     if (way) known.to_places.reset(proj().normalize(context, way.get()));
+    watched.require_none();
     known.chooses = known.to_places && steps_of(context, known.to_places.get()).empty();
   }
   known.searched = true;
@@ -81,8 +85,16 @@ std::optional<ProjWay> ProjWay::to_plane(const ProjReference& from, const Geodet
   PJ_CONTEXT* const context = from.impl_->context.get();
   Impl& way = *out->impl_;
   const std::string before = steps_of(context, from.impl_->to_places.get());
-  if (!before.empty()) way.joined.reset(proj().create(context, (before + plane).c_str()));
-  if (!way.joined) way.plane.reset(proj().create(context, ("+proj=pipeline" + plane).c_str()));
+  if (!before.empty()) {
+    const WatchedProj watched(context);
+    way.joined.reset(proj().create(context, (before + plane).c_str()));
+    if (watched.failed()) way.joined.reset();
+  }
+  if (!way.joined) {
+    const WatchedProj watched(context);
+    way.plane.reset(proj().create(context, ("+proj=pipeline" + plane).c_str()));
+    watched.require_none();
+  }
   if (!way.joined && !way.plane) return std::nullopt;
   return out;
 }

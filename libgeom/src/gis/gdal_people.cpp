@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/watched_memory.h"
 #include "gdal_cells.h"
 #include "gdal_handles.h"
 #include "gdal_whole_raster.h"
@@ -148,8 +149,11 @@ class Raster {
 }  // namespace
 
 std::vector<PeopleCell> people_within(const std::string& path, const Vec2& low, const Vec2& high) {
+  const WatchedMemory memory;
   const Raster raster(path);
-  return raster.read(raster.window(low, high));
+  std::vector<PeopleCell> out = raster.read(raster.window(low, high));
+  memory.require_enough();
+  return out;
 }
 
 }  // namespace geom::gis

@@ -5,6 +5,7 @@
 #include <map>
 #include <span>
 
+#include "base/watched_memory.h"
 #include "gdal_cells.h"
 #include "gdal_content.h"
 #include "gdal_handles.h"
@@ -321,6 +322,7 @@ Source read_raster(const std::string& path, const std::string& name, const ReadO
 
 Terrain::Terrain(const std::string& path, const std::string& name, const ReadOptions& options)
     : name_(name) {
+  const WatchedMemory memory;
   const Raster raster = open_raster(path, name, options);
   if (static_cast<double>(raster.width) * raster.height > kMostTerrain) {
     throw InputError(name, {.expected = fmt::format("a terrain of at most {} cells", kMostTerrain),
@@ -335,6 +337,7 @@ Terrain::Terrain(const std::string& path, const std::string& name, const ReadOpt
   for (int row = 0; row < height_; ++row) {
     raster.read_row(row, name, cells_.data() + static_cast<std::ptrdiff_t>(row) * width_);
   }
+  memory.require_enough();
 }
 
 double Terrain::at(int column, int row) const {

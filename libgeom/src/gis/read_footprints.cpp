@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "base/watched_memory.h"
 #include "city_gml.h"
 #include "geom/base/error.h"
 #include "geom/gis/axis_order.h"
@@ -117,13 +118,17 @@ const Reader& reader_of(const FootprintFormat& format) {
 }  // namespace
 
 const FootprintFormat& footprint_format_of(std::string_view head, const std::string& path) {
-  return *std::find_if(std::begin(kReaders), std::end(kReaders), [&](const Reader& reader) {
-            return reader.holds(head, path);
-          })->format;
+  const WatchedMemory memory;
+  const auto holds = [&](const Reader& reader) { return reader.holds(head, path); };
+  const auto* const found = std::find_if(std::begin(kReaders), std::end(kReaders), holds);
+  memory.require_enough();
+  return *found->format;
 }
 
 Source read(const FootprintFormat& format, const InputPath& in, const ReadOptions& options) {
+  const WatchedMemory memory;
   Source source = reader_of(format).read(in, options);
+  memory.require_enough();
   if (&format != &kRaster) require_attribute(source, options, in.name);
   if (source.footprints.empty()) {
     throw InputError(
