@@ -39,6 +39,13 @@ std::string refusal_of_waypoint(const std::string& more) {
   return refusal_of_folder(dji_folder(dji_waypoint(0, "8,47", "30", more)));
 }
 
+// DJI documents no less, so nobody knows what an aircraft makes of it.
+TEST(DjiWaylines, FlyToTheirBeginningAtOneMetreASecondAtLeast) {
+  std::string config = dji_config();
+  config.replace(config.find(">9<"), 3, ">0.3<");
+  EXPECT_EQ(read(in_kml(config + dji_folder(dji_leg()))).transit_speed, 1);
+}
+
 TEST(DjiWaylines, SayAMission) {
   const DjiMission m =
       read(in_kml(dji_config(dji_takeoff() + element("globalRTHHeight", "60") +
