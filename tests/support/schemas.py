@@ -38,7 +38,7 @@ def within(node):
 
 def unknown_keys(schema, record):
     """The keys of a record that Skyway itself writes which its schema does not name, as places. An object of which the schema names no key may
-    have any. Branches count whether they hold or not: jsonschema tells what is wrong with values, and not each version of it tells this."""
+    have any. A branch counts even if its condition does not hold. jsonschema checks the values, but not every version of it can check the keys."""
     def parts(node):
         if type(node) is not dict:
             return

@@ -10,8 +10,8 @@
 
 namespace geom {
 
-// A file that is opened by its name more than once, or by a library: it must stay the same one.
-// What is no regular file (a pipe) can be opened once only.
+// A file that is opened by its name more than once, or by a library. It must stay the same file. A
+// pipe is not watched, because it can be opened only once.
 class UnchangedFile {
  public:
   explicit UnchangedFile(const std::string& path) : path_(path), opened_(now()) {}

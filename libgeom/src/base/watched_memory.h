@@ -7,8 +7,8 @@
 
 namespace geom {
 
-// While one lives, failed allocations of C++ code are counted, of all threads. Those of C code are
-// not: what they make of these, the libraries say.
+// While one lives, failed allocations of C++ code are counted, of all threads. Failed allocations
+// of C code are not counted.
 class WatchedMemory {
  public:
   WatchedMemory();

@@ -21,8 +21,7 @@ struct ObjectCloser {
 };
 using ProjObject = std::unique_ptr<PJ, ObjectCloser>;
 
-// PROJ at work with a context: it makes the best of what it could not allocate or read, and says so
-// to its log alone.
+// Watches PROJ while it works with a context. PROJ goes on after a failure, and only its log tells.
 class WatchedProj {
  public:
   explicit WatchedProj(PJ_CONTEXT* context) : context_(context) {

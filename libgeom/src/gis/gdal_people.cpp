@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/unchanged_file.h"
 #include "base/watched_memory.h"
 #include "gdal_cells.h"
 #include "gdal_handles.h"
@@ -149,10 +150,12 @@ class Raster {
 }  // namespace
 
 std::vector<PeopleCell> people_within(const std::string& path, const Vec2& low, const Vec2& high) {
+  const UnchangedFile same(path);
   const WatchedMemory memory;
   const Raster raster(path);
   std::vector<PeopleCell> out = raster.read(raster.window(low, high));
   memory.require_enough();
+  same.require();
   return out;
 }
 

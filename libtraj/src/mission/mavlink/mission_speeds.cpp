@@ -7,8 +7,9 @@
 
 namespace traj {
 
-// PX4 (Navigator::run) takes a speed of any type for that along the legs, and what is none for its
-// own. ArduPilot (ModeAuto::do_change_speed) obeys the types, and passes over what is no speed.
+// PX4 (Navigator::run) flies its legs at a speed of any type. A speed that is not above 0 restores
+// its own speed. ArduPilot (ModeAuto::do_change_speed) obeys the types, and ignores a speed that is
+// not above 0.
 void MissionSpeeds::take(const MissionItem& item, FlownTrack& track, MissionClock& clock) {
   constexpr double kLevel[] = {0, 1};  // the types of speeds through the air and over ground
   constexpr double kClimb = 2;
