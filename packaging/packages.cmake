@@ -65,7 +65,7 @@ collision queries, path planning, trajectories and their proof. A CMake package
 is included: find_package(skyway), then link skyway::plan or skyway::traj.")
 string(JOIN ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
   libeigen3-dev libfmt-dev nlohmann-json3-dev libsimdjson-dev liboctomap-dev libgeographiclib-dev libgmp-dev
-  libmpfr-dev libssl-dev zlib1g-dev coinor-libipopt1v5 libembree3-3 libexpat1 liblzf1)
+  libmpfr-dev libssl-dev zlib1g-dev libdeflate-dev coinor-libipopt1v5 libembree3-3 libexpat1 liblzf1)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS
   "libpng-dev, libgdal-dev, libbz2-dev, libexpat1-dev, liblz4-dev, libproj25, pkg-config, libassimp5, libdraco-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)

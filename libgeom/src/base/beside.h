@@ -2,6 +2,7 @@
 
 // Tasks beside the thread that hands them out, one after the other.
 
+#include <atomic>
 #include <cstddef>
 #include <deque>
 #include <functional>
@@ -29,18 +30,24 @@ class Beside {
     if (most_ > 0) {
       try {
         const auto before = tasks_.empty() ? std::shared_future<void>() : tasks_.back();
-        const auto next = [before, task] {
+        ++waiting_;
+        const auto next = [this, before, task] {
           if (before.valid()) before.get();
+          --waiting_;
           task();
         };
         tasks_.push_back(std::async(std::launch::async, next).share());
         return;
       } catch (const std::system_error&) {  // no more threads
+        --waiting_;
         finish();
       }
     }
     task();
   }
+
+  // Whether a task waits for its turn: for a task that has work only while none does.
+  bool is_waited_for() const { return waiting_ > 0; }
 
   void finish() {
     while (!tasks_.empty()) finish_oldest();
@@ -54,6 +61,7 @@ class Beside {
   }
 
   std::size_t most_;
+  std::atomic<int> waiting_ = 0;
   std::deque<std::shared_future<void>> tasks_;
 };
 

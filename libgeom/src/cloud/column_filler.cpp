@@ -47,6 +47,7 @@ void ColumnFiller::add(std::span<const CloudPoint> points) {
 }
 
 void ColumnFiller::finish() {
+  reads_on_ = false;
   hand_over();
   beside_.finish();
   batches_.clear();
@@ -59,6 +60,8 @@ void ColumnFiller::hand_over() {
     columns_.add(batch.places, options_.resolution, run_);
     batch.places.clear();
     batch.classes.clear();
+    while (reads_on_ && !beside_.is_waited_for() && columns_.sort_some()) {
+    }
   });
   ++handed_over_;
   reserve();

@@ -2,6 +2,7 @@
 
 // Columns of the points of a stream, which all threads fill while the stream is read on.
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -47,6 +48,7 @@ class ColumnFiller {
   std::size_t dropped_ = 0;
   std::vector<Batch> batches_;  // in turns
   std::size_t handed_over_ = 0;
+  std::atomic<bool> reads_on_ = run_.threads > 1;
   Beside beside_;  // last: it ends before what it works on
 };
 

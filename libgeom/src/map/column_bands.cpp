@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/large_vector.h"
 #include "geom/base/error.h"
 #include "geom/base/parallel.h"
 #include "shape/row_merge.h"
@@ -94,10 +95,13 @@ class BandBoxes {
     }
     BoxTable table;
     table.labels = {"", "unknown"};
-    table.boxes.resize(boxes);
-    table.ids.resize(boxes);
-    table.label.resize(boxes);
-    parallel_for(bands_.size(), run_, [&](std::size_t b) { fill(bands_[b], table); });
+    resize_large(table.boxes, boxes, run_);
+    resize_large(table.ids, boxes, run_);
+    resize_large(table.label, boxes, run_);
+    parallel_for(bands_.size(), run_, [&](std::size_t b) {
+      fill(bands_[b], table);
+      bands_[b].rectangles = {};
+    });
     return table;
   }
 

@@ -23,6 +23,9 @@ constexpr std::size_t kBlock = std::size_t{1} << 15;  // points that a thread ta
 // few of them a cloud takes half as long again.
 constexpr std::size_t kWaiting = std::size_t{1} << 22;
 constexpr std::size_t kWaitingBlocks = kWaiting / kBlock;
+constexpr std::size_t kSome = kWaitingBlocks / 4;  // that a group is brought at once
+constexpr std::size_t kTogether = 16;              // shards of a group
+constexpr std::size_t kGroups = kShards / kTogether;
 constexpr std::size_t kAhead = 64;  // points between the one that is fetched and the one in use
 
 // The shard of a cell: by areas of 32 cells, so that points which are near to each other mostly
@@ -119,22 +122,33 @@ struct ColumnGrid::Impl {
     return waiting >= kWaitingBlocks || spans >= kWaiting;
   }
 
+  // Brings what waits for a group of shards to its cells.
+  void add_waiting(std::size_t group) {
+    std::vector<CellSpan> spans;  // of one shard
+    for (std::size_t s = group * kTogether; s < (group + 1) * kTogether; ++s) {
+      spans.clear();
+      for (std::size_t b = added[group]; b < waiting; ++b) {
+        if (b + 4 < waiting) prefetch(blocks[b + 4].of(s));
+        const std::span<const CellSpan> some = blocks[b].of(s);
+        spans.insert(spans.end(), some.begin(), some.end());
+      }
+      shards[s].add(spans, gap);
+    }
+    added[group] = waiting;
+  }
+
   // Brings what waits in the blocks to its cells.
   void add_waiting(const Execution& run) {
-    constexpr std::size_t kTogether = 16;
-    parallel_for(kShards / kTogether, {run.threads, {}}, [&](std::size_t group) {
-      std::vector<CellSpan> spans;  // of one shard
-      for (std::size_t s = group * kTogether; s < (group + 1) * kTogether; ++s) {
-        spans.clear();
-        for (std::size_t b = 0; b < waiting; ++b) {
-          if (b + 4 < waiting) prefetch(blocks[b + 4].of(s));
-          const std::span<const CellSpan> some = blocks[b].of(s);
-          spans.insert(spans.end(), some.begin(), some.end());
-        }
-        shards[s].add(spans, gap);
-      }
-    });
+    parallel_for(kGroups, {run.threads, {}}, [&](std::size_t group) { add_waiting(group); });
+    added.fill(0);
     waiting = 0;
+  }
+
+  bool add_some_waiting() {
+    if (waiting < added[next_group] + kSome) return false;
+    add_waiting(next_group);
+    next_group = (next_group + 1) % kGroups;
+    return true;
   }
 
   // By y, then x.
@@ -155,7 +169,9 @@ struct ColumnGrid::Impl {
   std::vector<ColumnShard> shards{kShards};
   std::vector<BinnedSpans> blocks;
   std::vector<CellSpan> room;  // for a block that comes alone: the system takes its time to give it
-  std::size_t waiting = 0;     // blocks with spans that are not in the shards yet, the first ones
+  std::size_t waiting = 0;     // blocks with spans that are not in all shards yet, the first ones
+  std::array<std::size_t, kGroups> added{};  // blocks whose spans are in the shards of a group
+  std::size_t next_group = 0;                // that is brought what waits for it
 };
 
 ColumnGrid::ColumnGrid(const ColumnSpec& spec) : impl_(std::make_unique<Impl>(spec)) {}
@@ -194,6 +210,8 @@ void ColumnGrid::add(std::span<const Vec3> points, double reach, const Execution
   impl_->waiting += count;
   if (impl_->has_enough_waiting()) impl_->add_waiting(run);
 }
+
+bool ColumnGrid::sort_some() { return impl_->add_some_waiting(); }
 
 BoxTable ColumnGrid::boxes(std::string_view source, const Execution& run) {
   impl_->add_waiting(run);

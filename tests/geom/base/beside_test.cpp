@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <future>
 #include <stdexcept>
 #include <vector>
 
@@ -37,6 +38,23 @@ TEST(Beside, RunsNoTaskAfterOneThatThrew) {
   for (int i = 0; i < 3; ++i) beside.run([&] { ran = true; });
   EXPECT_THROW(beside.finish(), std::runtime_error);
   EXPECT_FALSE(ran);
+}
+
+TEST(Beside, SaysWhetherATaskWaits) {
+  std::promise<void> handed_on;
+  std::vector<bool> seen;
+  Beside beside(2);
+  beside.run([&] {
+    handed_on.get_future().wait();
+    seen.push_back(beside.is_waited_for());
+  });
+  beside.run([&] { seen.push_back(beside.is_waited_for()); });
+  handed_on.set_value();
+  beside.finish();
+  EXPECT_EQ(seen, (std::vector{true, false}));
+  Beside at_once(0);
+  at_once.run([&] { seen.push_back(at_once.is_waited_for()); });
+  EXPECT_FALSE(seen.back());
 }
 
 TEST(Beside, EndsItsTaskBeforeItself) {

@@ -111,6 +111,21 @@ TEST(ColumnGrid, IsTheSameOfPointsThatComeAFewAtATimeAndGoesOnAfterItsBoxes) {
   }
 }
 
+TEST(ColumnGrid, IsTheSameWhereSomeIsSortedBetweenPoints) {
+  const auto points = scan(13, 6000, {0, 0, 0});
+  const ColumnSpec spec{1, 0.5, 0, false};
+  ColumnGrid grid(spec);
+  support::Random random(14);
+  std::size_t sorted = 0;
+  for (std::size_t i = 0; i < points.size(); i += 10) {
+    grid.add(std::span(points).subspan(i, 10));
+    for (std::uint64_t times = random.below(20); times > 0 && grid.sort_some(); --times) ++sorted;
+  }
+  EXPECT_GT(sorted, 500u);
+  EXPECT_EQ(grid.boxes("test").boxes, boxes(points, spec).boxes);
+  EXPECT_FALSE(grid.sort_some());
+}
+
 TEST(ColumnGrid, RefusesTheFirstPointThatIsTooFarForAnyNumberOfThreads) {
   std::vector<Vec3> points(40000, Vec3(1, 1, 1));
   points[30000] = {3e9, 0, 0};

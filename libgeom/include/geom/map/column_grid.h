@@ -41,6 +41,10 @@ class ColumnGrid {
   // keeps of them waits for more points, or for boxes(), to be sorted into the cells.
   void add(std::span<const Vec3> points, double reach = 0, const Execution& run = {});
 
+  // Sorts a small part of what waits into its cells, for a thread that would be idle. False: too
+  // little waits to be worth it.
+  bool sort_some();
+
   // Closed boxes that contain every point added, columns of equal heights joined. With
   // unknown_blocked also: below and between a column's returns down to the lowest of all, and over
   // that to the highest in cells without returns, within the rectangle around all cells. Throws
