@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <limits>
 #include <mutex>
+#include <numeric>
 #include <optional>
+#include <ranges>
 #include <span>
 #include <utility>
 
@@ -168,12 +170,33 @@ class TileSorter {
   // From here on the key of a box is its piece.
   void find_pieces() {
     const std::span<Keyed<Number>> order = order_.all();
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      if (pieces_.empty() || order[i].key != pieces_.back().number) {
-        pieces_.push_back({order[i].key, i, 0, 0, 0, table_.boxes[order[i].item]});
+    const auto begins_piece = [&](std::size_t i) {
+      return i == 0 || order[i].key != order[i - 1].key;
+    };
+    // Of each stretch: how many pieces begin before its end, and whether one begins with it.
+    std::vector<std::size_t> begun((order.size() + kStretch - 1) / kStretch);
+    std::vector<std::uint8_t> begins(begun.size());
+    for_stretches(order.size(), run_, [&](std::size_t s, std::size_t begin, std::size_t end) {
+      begins[s] = begins_piece(begin);
+      for (std::size_t i = begin; i < end; ++i) begun[s] += begins_piece(i);
+    });
+    std::partial_sum(begun.begin(), begun.end(), begun.begin());
+    pieces_.resize(begun.empty() ? 0 : begun.back());
+    for_stretches(order.size(), run_, [&](std::size_t s, std::size_t begin, std::size_t end) {
+      std::size_t piece = s == 0 ? 0 : begun[s - 1];  // that begins next
+      Number key = order[begin].key;
+      for (std::size_t i = begin; i < end; ++i) {
+        if (i == begin ? begins[s] : order[i].key != key) {
+          key = order[i].key;
+          pieces_[piece++] = {key, i, 0, 0, 0, table_.boxes[order[i].item]};
+        }
+        order[i].key = static_cast<Number>(piece - 1);
       }
-      ++pieces_.back().count;
-      order[i].key = static_cast<Number>(pieces_.size() - 1);
+    });
+    std::size_t end = order.size();
+    for (Piece& piece : std::views::reverse(pieces_)) {
+      piece.count = end - piece.first;
+      end = piece.first;
     }
   }
 

@@ -162,17 +162,27 @@ struct OutputFile::Sink {
    private:
     void rewind() { setp(buffer_.data(), buffer_.data() + buffer_.size()); }
 
-    int sync() override {
-      const char* const begin = pbase();
-      const char* const end = pptr();
-      rewind();
-      for (const char* at = begin; at < end;) {
+    void write_all(const char* at, const char* end) {
+      while (at < end) {
         const ssize_t written = ::write(descriptor_, at, static_cast<std::size_t>(end - at));
         if (written < 0 && errno == EPIPE && is_stdout_) end_as_by_sigpipe();
         if (written < 0 && errno != EINTR) cannot_write(name_);
         at += std::max<ssize_t>(written, 0);
       }
+    }
+
+    int sync() override {
+      const char* const end = pptr();
+      rewind();
+      write_all(pbase(), end);
       return 0;
+    }
+
+    std::streamsize xsputn(const char* text, std::streamsize size) override {
+      if (size < epptr() - pptr()) return std::streambuf::xsputn(text, size);
+      sync();
+      write_all(text, text + size);
+      return size;
     }
 
     int_type overflow(int_type c) override {
