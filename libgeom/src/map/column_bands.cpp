@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kSide = ColumnShard::Tiles::kSide;
 
-// The rectangle of cells with returns, ends among them, and the heights of all; x0 > x1: none.
+// A rectangle of cells, ends among them, and the heights in it; x0 > x1: none.
 struct Extent {
   static constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
   std::int32_t x0 = kMost, x1 = -kMost;
@@ -44,6 +44,18 @@ Extent extent_of(const ColumnTile& tile) {
   return e;
 }
 
+// Of whole tiles, without their heights.
+Extent extent_of_tiles(std::span<const ColumnTile> tiles) {
+  Extent e;
+  for (const ColumnTile& t : tiles) {
+    const std::int32_t x = t.tile->x * kSide;
+    const std::int32_t y = t.tile->y * kSide;
+    e.add({x, x + (kSide - 1), y, y + (kSide - 1), {}});
+  }
+  return e;
+}
+
+// Of the cells with returns.
 Extent extent_of(std::span<const ColumnTile> tiles, const Execution& run) {
   constexpr std::size_t kTogether = 64;
   std::vector<Extent> parts((tiles.size() + kTogether - 1) / kTogether);
@@ -113,6 +125,8 @@ class BandBoxes {
   void fill(const Band& band, BoxTable& table) const;
   template <class Merge>
   void add_row(const Band& band, std::int32_t y, Merge& merge) const;
+  template <class Merge>
+  void add_whole_row(const Band& band, std::int32_t y, Merge& merge) const;
   template <class F>
   void for_each_box(HeightSpans column, const F& f) const;
 
@@ -144,12 +158,25 @@ std::vector<Band> BandBoxes::bands_of(std::span<const ColumnTile> tiles) const {
   return bands;
 }
 
-// Adds the cells with returns of a row and, with unknown_blocked, all others of the rectangle.
 template <class Merge>
 void BandBoxes::add_row(const Band& band, std::int32_t y, Merge& merge) const {
+  if (spec_.unknown_blocked) return add_whole_row(band, y, merge);
+  for (const ColumnTile& tile : band.tiles) {
+    const std::int32_t left = tile.tile->x * kSide;
+    const std::int32_t row = (y - tile.tile->y * kSide) * kSide;
+    for (std::int32_t i = 0; i < kSide; ++i) {
+      const HeightSpans c = tile.spans(row + i);
+      if (!c.empty()) merge.add(y, left + i, c);
+    }
+  }
+}
+
+// Adds all cells of the rectangle in a row, with returns and without.
+template <class Merge>
+void BandBoxes::add_whole_row(const Band& band, std::int32_t y, Merge& merge) const {
   std::int32_t x = extent_.x0;  // the next cell
   const auto pass_to = [&](std::int32_t to) {
-    if (spec_.unknown_blocked && x < to) merge.add(y, x, to, HeightSpans());
+    if (x < to) merge.add(y, x, to, HeightSpans());
     x = std::max(x, to);
   };
   for (const ColumnTile& tile : band.tiles) {
@@ -158,8 +185,7 @@ void BandBoxes::add_row(const Band& band, std::int32_t y, Merge& merge) const {
     pass_to(std::clamp(left, extent_.x0, extent_.x1 + 1));
     // By what is left of the tile: its end may be 2^31, one more than an index holds.
     for (; x - left < kSide && x <= extent_.x1; ++x) {
-      const HeightSpans c = tile.spans(row + (x - left));
-      if (!c.empty() || spec_.unknown_blocked) merge.add(y, x, c);
+      merge.add(y, x, tile.spans(row + (x - left)));
     }
   }
   pass_to(extent_.x1 + 1);
@@ -238,7 +264,7 @@ void BandBoxes::fill(const Band& band, BoxTable& table) const {
 
 BoxTable boxes_of_columns(std::span<const ColumnTile> tiles, const ColumnSpec& spec,
                           std::string_view source, const Execution& run) {
-  const Extent extent = extent_of(tiles, run);
+  const Extent extent = spec.unknown_blocked ? extent_of(tiles, run) : extent_of_tiles(tiles);
   if (extent.x0 > extent.x1) {
     BoxTable none;
     none.labels = {"", "unknown"};
