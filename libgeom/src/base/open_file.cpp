@@ -5,8 +5,8 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <fstream>
 
+#include "geom/base/file_buffer.h"
 #include "geom/base/file_error.h"
 
 namespace geom {
@@ -16,13 +16,19 @@ namespace {
   throw FileError(FileUse::reading, path, errno);
 }
 
+struct Opened {
+  explicit Opened(const std::string& path) : buffer(path) {}
+
+  FileBuffer buffer;
+  std::istream stream{&buffer};
+};
+
 }  // namespace
 
 std::shared_ptr<std::istream> open_file(const std::string& path) {
-  auto file = std::make_shared<std::ifstream>(path, std::ios::binary);
-  if (!file->is_open()) cannot_read(path);
-  file->exceptions(std::ios::badbit);
-  return file;
+  const auto file = std::make_shared<Opened>(path);
+  file->stream.exceptions(std::ios::badbit);
+  return {file, &file->stream};
 }
 
 RandomFile::RandomFile(const std::string& path)

@@ -22,7 +22,17 @@ TEST(OpenFile, GivesTheFileFromItsBeginning) {
 
 TEST(OpenFile, SaysThatAFileCannotBeRead) {
   EXPECT_THROW(geom::open_file("/nowhere/at/all"), std::system_error);
-  EXPECT_THROW(geom::open_file("/")->get(), std::system_error);  // a folder, which opens
+  EXPECT_THROW(geom::open_file("/"), std::system_error);
+}
+
+TEST(OpenFile, SaysThatSomebodyWroteToTheFile) {
+  const support::TemporaryFolder folder;
+  const std::string path = folder / "text";
+  std::ofstream(path) << "one";
+  const auto file = geom::open_file(path);
+  std::ofstream(path, std::ios::app) << " two";
+  std::string text;
+  EXPECT_THROW(std::getline(*file, text), std::runtime_error);
 }
 
 TEST(RandomFile, ReadsAnywhere) {

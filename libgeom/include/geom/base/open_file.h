@@ -23,7 +23,8 @@ namespace geom {
 // that breaks off never looks like one that ends. A program that counts its files passes its own.
 using OpenFile = std::function<std::shared_ptr<std::istream>(const std::string& path)>;
 
-// Throws FileError where the file cannot be opened.
+// Throws FileError where the file cannot be opened. At its end the stream throws
+// std::runtime_error if somebody wrote to the file meanwhile (file_buffer.h).
 std::shared_ptr<std::istream> open_file(const std::string& path);
 
 // A regular file of which parts are read, anywhere. Threads may share it.
