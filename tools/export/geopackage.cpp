@@ -9,6 +9,7 @@
 #include "cli/file/made_elsewhere.h"
 #include "geom/base/text_stream.h"
 #include "geom/record/volume4d.h"
+#include "geom/text/counted.h"
 #include "geom/text/parse_json.h"
 #ifdef SKYWAY_FOOTPRINTS
 #include "geom/gis/geopackage.h"
@@ -68,6 +69,7 @@ cli::Exit export_geopackage(const cli::Common& common, const Options& options, E
   std::vector<GeoTable> tables{
       {.name = "trajectories", .numbers = {"duration_s"}}, {.name = "paths"}, volumes_table()};
   std::size_t refused = 0;
+  std::size_t without_volumes = 0;
   for (const Flight& flight : flights) {
     const auto made = exporter.make(flight);
     refused += !made;
@@ -76,7 +78,9 @@ cli::Exit export_geopackage(const cli::Common& common, const Options& options, E
     GeoRow row = row_of(flight.way.id, made->text);
     if (!path) row.numbers = {traj::duration(flight.way.trajectory)};
     tables[path ? 1 : 0].rows.push_back(std::move(row));
-    if (options.unchecked || !has_times(flight)) continue;
+    if (!has_times(flight)) continue;
+    without_volumes += options.unchecked;
+    if (options.unchecked) continue;
     if (!volumes_exporter) volumes_exporter.emplace(common, volume_options);
     const auto volumes = volumes_exporter->make(flight);
     refused += !volumes;
@@ -85,6 +89,10 @@ cli::Exit export_geopackage(const cli::Common& common, const Options& options, E
   if (refused > 0) {
     cli::complain("skyway-export", fmt::format("{} refused: no file was written", refused));
     return cli::Exit::no;
+  }
+  if (without_volumes > 0) {
+    cli::complain("skyway-export", fmt::format("{} without volumes, because nothing was checked",
+                                               geom::counted(without_volumes, "flight")));
   }
   std::erase_if(tables, [](const GeoTable& one) { return one.rows.empty(); });
   cli::OutputFile out(options.output, cli::OutputKind::artefact);

@@ -148,6 +148,9 @@ void Options::require_outputs() const {
     throw cli::UsageError("the drone file and the files beside it cannot share stdout");
   }
   const bool each = geom::OutputNames(output, "--output").each();
+  if (each && is_geopackage()) {
+    throw cli::UsageError("--output: a GeoPackage holds all flights: leave %s out");
+  }
   for (const Output& one : all) {
     if (!one.name.empty() && geom::OutputNames(one.name, one.option).each() != each) {
       throw cli::UsageError(

@@ -52,6 +52,11 @@ void add_left_out(const Px4Flight& flight, std::vector<std::string>& out) {
         "the vehicle still flies when the log ends: where the flight went then is not known, and "
         "the last row says cut");
   }
+  if (!flight.tells_landed && !flight.log.cut) {
+    out.push_back(
+        "the log does not say when the vehicle stands on the ground (no vehicle_land_detected): it "
+        "may have flown before the first row and after the last");
+  }
   if (flight.ends_silent) {
     out.push_back(
         "the log goes on for more than 1 s after the last row, without positions: where the flight "
@@ -143,6 +148,7 @@ nlohmann::ordered_json stats(const Px4Flight& flight) {
                                 {"left_out_at_end", flight.left_out_at_end},
                                 {"ends_silent", flight.ends_silent},
                                 {"ends_in_air", flight.ends_in_air},
+                                {"tells_landed", flight.tells_landed},
                                 {"resets", flight.resets},
                                 {"largest_reset", flight.largest_reset},
                                 {"largest_reset_in_air", flight.largest_reset_in_air},

@@ -25,7 +25,8 @@ constexpr std::array<std::string_view, 9> kTopics = {
 constexpr double kLatest = 1e9;                // s: what a flight log may hold
 constexpr std::uint64_t kSetBack = 1'000'000;  // microseconds by which a clock was set back
 constexpr std::uint64_t kSilent = 1'000'000;   // microseconds from which on positions are missing
-constexpr double kCorrected = 1;               // m by which places in the air may be corrected
+constexpr double kMoves = 0.5;    // m/s: more than an estimate of a vehicle that stands
+constexpr double kCorrected = 1;  // m by which places in the air may be corrected
 constexpr double kStanding = 10;  // s before a take-off in which the vehicle stood on the ground
 
 Vec3 enu_of(const Vec3& ned) { return {ned.y(), ned.x(), -ned.z()}; }
@@ -126,6 +127,8 @@ class Track {
   std::uint64_t first() const { return first_; }
   std::uint64_t last() const { return last_; }
   std::size_t left_out_at_begin() const { return left_out_at_begin_; }
+  bool begins_moving() const { return moves(samples_.front()); }
+  bool ends_moving() const { return moves(samples_.back()); }
 
   void give(Px4Flight& out) && {
     out.log.samples = std::move(samples_);
@@ -144,6 +147,8 @@ class Track {
 
  private:
   void leave_out(std::size_t& why) { ++why, ++left_out_since_; }
+
+  static bool moves(const FlightSample& sample) { return sample.velocity.norm() > kMoves; }
 
   // Whether the time grows. Where a clock was set back, later times say nothing about how long
   // after the last row they are.
@@ -313,7 +318,8 @@ class Collector {
     if (!track.empty()) {
       out_.begins_in_air = begins_in_air(track);
       out_.ends_silent = last_heard_ > track.last() + kSilent;
-      out_.ends_in_air = knows_landed_ && !stood_ && !touches_;
+      out_.ends_in_air = knows_landed_ ? !stood_ && !touches_ : track.ends_moving();
+      out_.tells_landed = knows_landed_;
     }
     std::move(track).give(out_);
     out_.log.cut = out_.summary.cut_at.has_value() || out_.left_out_at_end > 0 ||
@@ -347,10 +353,11 @@ class Collector {
     knows_landed_ = true;
   }
 
-  // Where nothing says whether it flew, it may have done so where positions are left out.
+  // Where nothing says whether it flew, it may have done so where positions are left out, and it
+  // did where it moves.
   bool begins_in_air(const Track& track) const {
     if (in_air_) return *in_air_ <= track.first();
-    return !knows_landed_ && track.left_out_at_begin() > 0;
+    return !knows_landed_ && (track.left_out_at_begin() > 0 || track.begins_moving());
   }
 
   Px4State state_;

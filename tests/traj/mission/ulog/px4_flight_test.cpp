@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "support/reading.h"
+#include "traj/mission/ulog/flight_notes.h"
 #include "traj/mission/ulog/px4_projection.h"
 #include "ulog_bytes.h"
 
@@ -32,6 +33,7 @@ enum Topic : std::uint16_t {
 // A log with all topics, to which messages are added.
 struct Log {
   std::string bytes = ulog_head();
+  float north = 1;  // m/s
 
   Log() {
     add("vehicle_local_position", kLocal,
@@ -62,8 +64,14 @@ struct Log {
 
   Log& local(double seconds, const Vec3& ned, bool valid = true, bool global = true,
              double latitude = 47, std::uint8_t resets = 0) {
-    return row(kLocal, seconds, latitude, 8.0, float(ned.x()), float(ned.y()), float(ned.z()), 1.f,
-               2.f, 3.f, 400.f, valid, valid, valid, valid, global, global, resets);
+    return row(kLocal, seconds, latitude, 8.0, float(ned.x()), float(ned.y()), float(ned.z()),
+               north, 2 * north, 3 * north, 400.f, valid, valid, valid, valid, global, global,
+               resets);
+  }
+
+  Log& standing() {  // from now on
+    north = 0;
+    return *this;
   }
 
   Px4Flight read(const Px4Options& options = {}) const {
@@ -245,7 +253,7 @@ TEST(Px4Flight, KnowsTheTakeOff) {
 
 TEST(Px4Flight, SaysWhereTheLogBreaksOff) {
   Log log;
-  log.local(0, {0, 0, 0}).local(1, {0, 0, 0});
+  log.standing().local(0, {0, 0, 0}).local(1, {0, 0, 0});
   EXPECT_FALSE(log.read().log.cut);
   log.bytes.pop_back();
   EXPECT_TRUE(log.read().log.cut);
@@ -253,7 +261,7 @@ TEST(Px4Flight, SaysWhereTheLogBreaksOff) {
 }
 
 TEST(Px4Flight, IsCutWherePositionsAtItsEndAreLeftOut) {
-  const auto log = [] { return Log().local(1, {0, 0, 0}).local(2, {0, 0, 0}); };
+  const auto log = [] { return Log().standing().local(1, {0, 0, 0}).local(2, {0, 0, 0}); };
   const Px4Flight lost = log().local(3, {9, 0, 0}, false).read();
   EXPECT_TRUE(lost.log.cut);
   EXPECT_EQ(lost.left_out_at_end, 1u);
@@ -292,12 +300,26 @@ TEST(Px4Flight, IsCutWhereItEndsInTheAir) {
   EXPECT_TRUE(flight.ends_in_air);
   EXPECT_TRUE(flight.log.cut);
   EXPECT_FALSE(flown().local(3, {0, 0, -5}).row(kLanded, 3.1, true).read().log.cut);
-  EXPECT_FALSE(Log().local(1, {0, 0, 0}).local(2, {0, 0, -5}).read().log.cut) << "nothing is known";
+}
+
+TEST(Px4Flight, IsCutWhereItMovesAtAnEndAndNothingSaysThatItStood) {
+  const auto read = [](bool moves_first, bool moves_last) {
+    Log log;
+    if (!moves_first) log.standing();
+    log.local(1, {0, 0, 0});
+    log.north = moves_last ? 1 : 0;
+    return log.local(2, {0, 0, -5}).read();
+  };
+  const Px4Flight unknown = read(false, false);
+  EXPECT_FALSE(unknown.log.cut || unknown.tells_landed);
+  EXPECT_TRUE(support::says(warnings(unknown, {}).at(0), "does not say when the vehicle stands"));
+  EXPECT_TRUE(read(true, false).begins_in_air && read(true, false).log.cut);
+  EXPECT_TRUE(read(false, true).ends_in_air && read(false, true).log.cut);
 }
 
 TEST(Px4Flight, IsCutWhereOtherTopicsGoOnWithoutPositions) {
   const auto battery_at = [](double seconds) {
-    return Log().local(1, {0, 0, 0}).row(kBattery, seconds, 0.5f, true).read();
+    return Log().standing().local(1, {0, 0, 0}).row(kBattery, seconds, 0.5f, true).read();
   };
   EXPECT_FALSE(battery_at(1.9).log.cut);
   EXPECT_TRUE(battery_at(2.1).log.cut);
@@ -307,6 +329,7 @@ TEST(Px4Flight, IsCutWhereOtherTopicsGoOnWithoutPositions) {
 TEST(Px4Flight, IsCutWhereItBeginsAfterItsTakeOff) {
   const auto begun = [](double begin, bool lands) {
     Log log;
+    log.standing();
     if (lands) log.row(kLanded, 0, true).local(1, {0, 0, 0}).row(kLanded, 2, false);
     log.local(3, {0, 0, -1}).local(4, {0, 0, -2}).local(5, {0, 0, -3});
     if (lands) log.row(kLanded, 5.1, true);

@@ -40,6 +40,7 @@ struct Px4Flight {
   std::size_t left_out_at_end = 0;    // the ones after the last sample
   bool ends_silent = false;           // other topics go on for more than 1 s after the last sample
   bool ends_in_air = false;           // it has not come to the ground when the log ends
+  bool tells_landed = false;          // the log says when the vehicle stands on the ground
 
   std::optional<geom::GeodeticPlace> reference;  // the first, height above the sea
   std::optional<double> sea_level;               // m above the ellipsoid, as the log has it
