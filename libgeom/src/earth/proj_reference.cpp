@@ -164,11 +164,13 @@ CoordinateReference told_of(PJ_CONTEXT* context, const PJ* whole, const PJ* own,
 }  // namespace
 
 std::optional<ProjReference> ProjReference::of(const std::string& text) {
+  const WatchedMemory memory;
   auto impl = std::make_shared<Impl>();
   impl->context = quiet_context();
   PJ_CONTEXT* const context = impl->context.get();
   const WatchedProj watched(context);
   impl->whole = system_of(context, text);
+  memory.require_enough();  // else it may be known all the same
   if (!impl->whole) return std::nullopt;
   impl->plane.reset(proj().type_of(impl->whole.get()) == PJ_TYPE_COMPOUND_CRS
                         ? proj().part(context, impl->whole.get(), 0)
@@ -179,6 +181,7 @@ std::optional<ProjReference> ProjReference::of(const std::string& text) {
   if (!impl->own) return std::nullopt;
   impl->told = told_of(context, impl->whole.get(), impl->own.get(), text);
   watched.require_none();
+  memory.require_enough();
   return ProjReference(std::move(impl));
 }
 

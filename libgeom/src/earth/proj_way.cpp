@@ -84,6 +84,7 @@ std::optional<ProjWay> ProjWay::to_plane(const ProjReference& from, const Geodet
       origin.latitude, origin.longitude);
   PJ_CONTEXT* const context = from.impl_->context.get();
   Impl& way = *out->impl_;
+  const WatchedMemory memory;
   const std::string before = steps_of(context, from.impl_->to_places.get());
   if (!before.empty()) {
     const WatchedProj watched(context);
@@ -95,6 +96,7 @@ std::optional<ProjWay> ProjWay::to_plane(const ProjReference& from, const Geodet
     way.plane.reset(proj().create(context, ("+proj=pipeline" + plane).c_str()));
     watched.require_none();
   }
+  memory.require_enough();
   if (!way.joined && !way.plane) return std::nullopt;
   return out;
 }
