@@ -304,6 +304,15 @@ std::vector<Span> touched(double low, double high, int n) {
   return {{first - 1, first}, {first, first + 1}};
 }
 
+// LERC may have been told to allow an error, which GDAL does not tell.
+bool may_be_inexact(const DatasetHandle& dataset) {
+  char** const entries = gdal().metadata(dataset.get(), "IMAGE_STRUCTURE");
+  for (char** entry = entries; entry && *entry; ++entry) {
+    if (std::string_view(*entry).starts_with("COMPRESSION=LERC")) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 bool is_raster(const std::string& path) {
@@ -317,6 +326,11 @@ Source read_raster(const std::string& path, const std::string& name, const ReadO
   const Raster raster = open_raster(path, name, options);
   Source source = SurfaceReader(raster, name, options).read();
   source.beside = files_beside(raster.dataset, path);
+  if (may_be_inexact(raster.dataset)) {
+    source.warnings.push_back(
+        "its compression (LERC) may have changed heights by as much as the MAX_Z_ERROR of whoever "
+        "wrote it, which the file does not tell: ask for that, and keep as much room above");
+  }
   return source;
 }
 

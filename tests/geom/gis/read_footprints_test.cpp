@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "support/memory_raster.h"
 #include "support/reading.h"
 #include "support/short_memory.h"
 #include "support/temporary_folder.h"
@@ -33,6 +34,22 @@ TEST_F(ReadFootprintsTest, AreRefusedWhereAnAllocationFailsInSilence) {
 TEST_F(ReadFootprintsTest, HaveNoFormatWhereAnAllocationFailsInSilence) {
   support::expect_bad_alloc_where_one_is_swallowed(
       [&] { EXPECT_EQ(&footprint_format_of(kBlock, path_), &kVector); });
+}
+
+TEST(ReadRaster, WarnsOfCompressionThatMayChangeHeights) {
+  GDALAllRegister();
+  GDALDriver& driver = *GetGDALDriverManager()->GetDriverByName("GTiff");
+  for (const char* const compression : {"COMPRESS=DEFLATE", "COMPRESS=LERC"}) {
+    const MemoryFile file("compressed.tif");
+    char* options[] = {const_cast<char*>(compression), nullptr};
+    GDALDataset* const made = driver.Create(file.path().c_str(), 4, 4, 1, GDT_Float32, options);
+    double transform[] = {500000, 5, 0, 5500020, 0, -5};
+    made->SetGeoTransform(transform);
+    MemoryRaster::fill(*made->GetRasterBand(1), [](int, int) { return 7; });
+    GDALClose(made);
+    const bool lerc = compression == std::string("COMPRESS=LERC");
+    EXPECT_EQ(read_raster(file.path(), "r", {}).warnings.size(), lerc ? 1u : 0u);
+  }
 }
 
 }  // namespace
