@@ -89,7 +89,7 @@ class HomeOutput {
     std::string lines;
     for (const auto& record : answer.records) lines += traj::to_json_line(record);
     out_.add(lines);
-    out_.flush();
+    out_.pass_on();
     ++totals_.flights;
     totals_.add(answer.home);
     all_ = all_ && answer.complete;

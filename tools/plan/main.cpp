@@ -84,7 +84,7 @@ class Outputs {
     paths_.add(geom::to_json_line(answer.record));
     if (certificates_) certificates_->add(answer.why);
   }
-  void flush() { paths_.flush(); }
+  void pass_on() { paths_.pass_on(); }
   void commit(std::size_t total, cli::Exit exit) {
     paths_.commit(total, exit);
     if (certificates_) certificates_->commit(total, exit);
@@ -164,7 +164,7 @@ Planned plan_each(Answers answers, const std::vector<geom::PlanQuery>& queries,
       out.add(answer);
       planned.add(std::move(answer));
     }
-    out.flush();
+    out.pass_on();
   }
   return planned;
 }

@@ -66,7 +66,7 @@ struct Outputs {
 
   void add(const solving::Answer& answer) {
     trajectories.add(answer.trajectory);
-    trajectories.flush();
+    trajectories.pass_on();
     if (corridors) corridors->add(answer.corridor);
     if (reports) reports->add(answer.report);
   }

@@ -412,6 +412,38 @@ def changed_inputs(folder):
         expect(f"an input that is {change}", ("was changed while it was read" in err) == (code == 4), err)
 
 
+def cut_streams(folder):
+    """Of a tool of a pipe that fails or is killed, the next one takes no part for the whole."""
+    path, trajectory = ((folder / name).read_text() for name in ("p.jsonl", "t.jsonl"))
+    traj = ["m.boxmap", "-", *LIMITS, "--solver", "stop-and-go"]
+
+    def refused(what, first, text):
+        run = Run(folder, first[0], *first[1:], stdin=text_file(folder, text))
+        expect(f"{what}: itself", run.code == 3, run)
+        (folder / "cut").write_bytes(run.out)
+        after = Run(folder, "skyway-check", "m.boxmap", "cut", "-q")
+        expect(f"{what}: the next", after.code == 3, after)
+
+    refused("traj, a malformed record", ["skyway-traj", *traj], path * 3 + "{\n")
+    refused("fly, a malformed record", ["skyway-fly", "-", "--vehicle", "quad.json"], trajectory * 3 + "{\n")
+    killed = subprocess.Popen([bin_dir / "skyway-traj", *traj], cwd=folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                              stderr=subprocess.DEVNULL)
+    killed.stdin.write((path * 3).encode())
+    killed.stdin.flush()
+    begin = killed.stdout.read(1)  # the first trajectory is there
+    killed.kill()
+    (folder / "cut").write_bytes(begin + killed.stdout.read())
+    killed.stdin.close()
+    killed.wait()
+    run = Run(folder, "skyway-check", "m.boxmap", "cut", "-q")
+    expect("traj, killed: the next", run.code == 3, run)
+
+
+def text_file(folder, text):
+    (folder / "text").write_text(text)
+    return open(folder / "text", "rb")
+
+
 def left_behind(folder):
     """A temporary file of a process that was killed is removed; one of a process that runs is not."""
     host = socket.gethostname()
@@ -514,7 +546,7 @@ def main():
         (root / "base").mkdir()
         prepare(root / "base")
         jobs = [(kind, tool) for tool in TOOLS for kind in (streams, limits, outputs, collisions, numbers)]
-        jobs += [(kind, None) for kind in (broken_inputs, in_place, changed_inputs, left_behind, hostile_text, idle_options, front)]
+        jobs += [(kind, None) for kind in (broken_inputs, in_place, changed_inputs, cut_streams, left_behind, hostile_text, idle_options, front)]
 
         def work(job):
             kind, tool = job

@@ -73,7 +73,8 @@ class OutputFile {
   OutputFile& operator=(const OutputFile&) = delete;
 
   std::ostream& stream();
-  void flush();       // so that the next tool of a pipe sees what is there
+  void flush();       // so that whoever waits for an answer sees it
+  void pass_on();     // to the next tool of a pipe, but for the end of the last line (last_end.h)
   void commit();      // call last: all outputs of a run appear together, at its end
   void commit_now();  // the same, but it appears at once: one of very many
 

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <signal.h>
 #include <sys/stat.h>
+#include <sys/uio.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
@@ -17,6 +19,7 @@
 #include "cli/answer/exit.h"
 #include "destination.h"
 #include "files.h"
+#include "geom/text/last_end.h"
 #include "io_failure.h"
 #include "run_files.h"
 #include "standard_streams.h"
@@ -159,39 +162,64 @@ struct OutputFile::Sink {
       rewind();
     }
 
+    // Writes all that is there but the end of its last line.
+    void pass_on() { pass_on(geom::up_to_last_end(held())); }
+
    private:
+    std::string_view held() const { return {pbase(), pptr()}; }
     void rewind() { setp(buffer_.data(), buffer_.data() + buffer_.size()); }
 
-    void write_all(const char* at, const char* end) {
-      while (at < end) {
-        const ssize_t written = ::write(descriptor_, at, static_cast<std::size_t>(end - at));
-        if (written < 0 && errno == EPIPE && is_stdout_) end_as_by_sigpipe();
-        if (written < 0 && errno != EINTR) cannot_write(name_);
-        at += std::max<ssize_t>(written, 0);
-      }
+    void pass_on(std::size_t size) {
+      const std::string_view rest = held().substr(size);
+      write({held().substr(0, size), {}});
+      std::copy(rest.begin(), rest.end(), buffer_.data());
+      rewind();
+      pbump(static_cast<int>(rest.size()));
     }
 
     int sync() override {
-      const char* const end = pptr();
-      rewind();
-      write_all(pbase(), end);
+      pass_on(held().size());
       return 0;
     }
 
-    std::streamsize xsputn(const char* text, std::streamsize size) override {
-      if (size < epptr() - pptr()) return std::streambuf::xsputn(text, size);
-      sync();
-      write_all(text, text + size);
-      return size;
-    }
-
     int_type overflow(int_type c) override {
-      sync();
+      pass_on();
+      if (pptr() == epptr()) sync();  // all of it is the end of a line
       if (!traits_type::eq_int_type(c, traits_type::eof())) {
         *pptr() = traits_type::to_char_type(c);
         pbump(1);
       }
       return traits_type::not_eof(c);
+    }
+
+    // A large piece is written as it stands, but for the end of its last line.
+    std::streamsize xsputn(const char* text, std::streamsize size) override {
+      const std::string_view piece(text, static_cast<std::size_t>(size));
+      if (piece.size() < buffer_.size()) return std::streambuf::xsputn(text, size);
+      const std::size_t before = piece.size() - buffer_.size();
+      const std::size_t end = before + geom::up_to_last_end(piece.substr(before));
+      write({held(), piece.substr(0, end)});
+      rewind();
+      const auto rest = static_cast<std::streamsize>(piece.size() - end);
+      return size - rest + std::streambuf::xsputn(text + end, rest);
+    }
+
+    void write(std::array<std::string_view, 2> pieces) {
+      while (!pieces[0].empty() || !pieces[1].empty()) {
+        std::array<iovec, 2> from;
+        for (std::size_t i = 0; i < 2; ++i) {
+          from[i] = {const_cast<char*>(pieces[i].data()), pieces[i].size()};  // they are read only
+        }
+        const ssize_t written = ::writev(descriptor_, from.data(), 2);
+        if (written < 0 && errno == EPIPE && is_stdout_) end_as_by_sigpipe();
+        if (written < 0 && errno != EINTR) cannot_write(name_);
+        auto left = static_cast<std::size_t>(std::max<ssize_t>(written, 0));
+        for (std::string_view& piece : pieces) {
+          const std::size_t n = std::min(left, piece.size());
+          piece.remove_prefix(n);
+          left -= n;
+        }
+      }
     }
 
     int descriptor_;
@@ -236,6 +264,7 @@ OutputFile::~OutputFile() {
 std::ostream& OutputFile::stream() { return sink_->stream; }
 
 void OutputFile::flush() { sink_->stream.flush(); }
+void OutputFile::pass_on() { sink_->buffer.pass_on(); }
 
 void OutputFile::commit() {
   RunFiles* const files = RunFiles::current();

@@ -27,6 +27,9 @@ void RecordOutput::add(std::string_view record) {
 void RecordOutput::flush() {
   if (stream_) stream_->flush();
 }
+void RecordOutput::pass_on() {
+  if (stream_) stream_->pass_on();
+}
 
 void RecordOutput::commit(std::size_t total, Exit exit) {
   if (stream_) {

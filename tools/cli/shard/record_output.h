@@ -20,7 +20,8 @@ class RecordOutput {
 
   void head(std::string_view text);   // before all records, once in all; call first
   void add(std::string_view record);  // the lines of one
-  void flush();                       // so that the next tool of a pipe sees what is there
+  void flush();                       // OutputFile's
+  void pass_on();                     // OutputFile's
   // `total`: how many records all shards have.
   void commit(std::size_t total, Exit exit);
 
