@@ -11,6 +11,7 @@
 #include "geom/base/error.h"
 #include "geom/base/mapped_file.h"
 #include "geom/base/parallel.h"
+#include "geom/base/sha256.h"
 #include "npy.h"
 #include "zip_format.h"
 #include "zip_reader.h"
@@ -104,6 +105,18 @@ const ArrayArchive::Entry& ArrayArchive::find(std::string_view array, std::strin
     return entry;
   }
   throw InputError(name(), {.expected = fmt::format("an array {}.npy", array), .found = "none"});
+}
+
+std::string ArrayArchive::directory_hash() const {
+  std::string text(meta());
+  for (const Entry& entry : arrays()) {
+    text += fmt::format("{} {} {:08x}", entry.name, entry.dtype, entry.crc);
+    for (const std::size_t n : entry.shape) text += fmt::format(" {}", n);
+    text += '\n';
+  }
+  Sha256 sum;
+  sum.update(std::as_bytes(std::span(text)));
+  return "sha256:" + sum.hex();
 }
 
 std::optional<FileState> ArrayArchive::file() const {

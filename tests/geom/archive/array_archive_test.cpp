@@ -48,6 +48,19 @@ TEST(ArrayArchive, ReadsManyEntriesInATimeThatGrowsWithTheirNumber) {
   EXPECT_LT(least_time(48000), 24 * least_time(6000));
 }
 
+TEST(ArrayArchive, HasTheDirectoryHashOfWhatItHolds) {
+  const auto hash = [](std::string_view meta, std::uint8_t last) {
+    const std::vector<std::uint8_t> values = {1, 2, last};
+    const std::vector arrays = {named_array<std::uint8_t>("a", std::span(values))};
+    std::ostringstream out;
+    write_array_archive(out, meta, arrays);
+    return ArrayArchive::from_bytes(support::bytes_of(out.str()), "a").directory_hash();
+  };
+  EXPECT_EQ(hash("{}", 3), hash("{}", 3));
+  EXPECT_NE(hash("{}", 3), hash("{}", 4));
+  EXPECT_NE(hash("{}", 3), hash("{ }", 3));
+}
+
 TEST(ArrayArchive, RefusesADirectoryOfMoreEntriesThanAnyFileOfOurs) {
   const auto bytes = archive_of(numbered(300000));
   const std::string message = support::refusal_of([&] { ArrayArchive::from_bytes(bytes, "a"); });

@@ -92,10 +92,11 @@ geom::BoxMap open_map(const geom::ArrayArchive& archive, geom::Verified level,
     map.require(level, run);
     return map;
   }
-  geom::BoxMap map = geom::read_box_map(archive, marked(*file));
+  const std::string directory = archive.directory_hash();
+  geom::BoxMap map = geom::read_box_map(archive, marked(*file, directory));
   if (map.verified() < level) {
     map.require(level, run);
-    mark(archive.name(), *file, level, clock_now());
+    mark(archive.name(), *file, directory, level, clock_now());
   }
   return map;
 }

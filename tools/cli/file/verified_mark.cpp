@@ -2,9 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <linux/magic.h>
 #include <sys/stat.h>
-#include <sys/vfs.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -19,6 +17,8 @@
 #include <utility>
 #include <vector>
 
+#include "geom/base/kept_times.h"
+
 namespace cli {
 namespace {
 
@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 using geom::FileState;
 using geom::Verified;
 
-constexpr int kVersion = 1;                       // of what "verified" means
+constexpr int kVersion = 2;                       // of what "verified" means
 constexpr std::int64_t kSettled = 3'000'000'000;  // ns: the coarsest clocks of files tick in 2 s
 constexpr std::size_t kMostMarks = 256;
 
@@ -48,9 +48,9 @@ std::string name_of(const FileState& file) {
 }
 
 // All that a mark says, the file's name included: then one that was moved or linked says no more.
-std::string text_of(const FileState& file, Verified level) {
-  return fmt::format("skyway-verified {} {} {} {} {} {} {}\n", kVersion, file.device, file.inode,
-                     file.size, file.modified, file.changed,
+std::string text_of(const FileState& file, const std::string& directory, Verified level) {
+  return fmt::format("skyway-verified {} {} {} {} {} {} {} {}\n", kVersion, file.device, file.inode,
+                     file.size, file.modified, file.changed, directory,
                      level == Verified::contents ? "contents" : "extents");
 }
 
@@ -84,15 +84,6 @@ std::string read_own(const fs::path& path) {
 
 bool is_settled(const FileState& file, std::int64_t now) {
   return std::max(file.changed, file.modified) < now - kSettled;
-}
-
-// Whether the file lies where each change of what it holds changes its times. Those that live in
-// memory alone do not see what is written through a mapping.
-bool keeps_times(const std::string& path) {
-  struct statfs info {};
-  if (statfs(path.c_str(), &info) != 0) return false;
-  const auto kind = static_cast<std::uint32_t>(info.f_type);
-  return kind != TMPFS_MAGIC && kind != RAMFS_MAGIC && kind != HUGETLBFS_MAGIC;
 }
 
 bool is_still(const std::string& path, const FileState& file) {
@@ -132,12 +123,12 @@ void write_own(const fs::path& path, std::string_view text) {
 
 }  // namespace
 
-Verified marked(const FileState& file) {
+Verified marked(const FileState& file, const std::string& directory) {
   const fs::path base = cache();
   if (base.empty()) return Verified::nothing;
   const std::string text = read_own(folder_in(base) / name_of(file));
   for (const Verified level : {Verified::contents, Verified::extents}) {
-    if (text == text_of(file, level)) return level;
+    if (text == text_of(file, directory, level)) return level;
   }
   return Verified::nothing;
 }
@@ -148,14 +139,16 @@ std::int64_t clock_now() {
   return now.tv_sec * 1'000'000'000LL + now.tv_nsec;
 }
 
-void mark(const std::string& path, const FileState& file, Verified level, std::int64_t now) {
+void mark(const std::string& path, const FileState& file, const std::string& directory,
+          Verified level, std::int64_t now) {
   const fs::path base = cache();
-  if (base.empty() || !is_settled(file, now) || !is_still(path, file) || !keeps_times(path)) return;
+  if (base.empty() || !is_settled(file, now) || !is_still(path, file)) return;
+  if (!geom::keeps_times(path)) return;
   const fs::path folder = folder_in(base);
   for (const fs::path& part : {base, folder.parent_path(), folder}) {
     static_cast<void>(mkdir(part.c_str(), 0700));
   }
-  write_own(folder / name_of(file), text_of(file, level));
+  write_own(folder / name_of(file), text_of(file, directory, level));
   forget_oldest(folder);
 }
 
