@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geom/base/error.h"
+#include "geom/base/usual_arithmetic.h"
 
 namespace binding {
 std::span<const double> rows(const py::handle& object, py::ssize_t columns, const char* what) {
@@ -47,6 +48,7 @@ py::tuple tuple_of(const geom::Vec3& v) { return py::make_tuple(v[0], v[1], v[2]
 
 py::object from_json(std::string_view text) {
   if (text.empty()) return py::none();
+  const geom::UsualArithmetic usual;
   return py::module_::import("json").attr("loads")(text);
 }
 

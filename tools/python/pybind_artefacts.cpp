@@ -112,7 +112,7 @@ void bind_map(py::module_& module) {
   module.def(
       "read_box_map",
       [](const std::string& path) { return cli::open_map(path, geom::Verified::extents); },
-      py::arg("path"), py::call_guard<py::gil_scoped_release>());
+      py::arg("path"), py::call_guard<Released>());
   module.def(
       "write_box_map",
       [](const std::string& path, const BoxMap& map) {
@@ -121,7 +121,7 @@ void bind_map(py::module_& module) {
         geom::require_unchanged(map);
         out.commit();
       },
-      py::arg("path"), py::arg("map"), py::call_guard<py::gil_scoped_release>());
+      py::arg("path"), py::arg("map"), py::call_guard<Released>());
 }
 
 // The masks of all nodes, x fastest: what docs/formats.md packs, and bit 31 for the node itself.
@@ -130,7 +130,7 @@ py::array masks(const Lattice& lattice) {
   const LatticeGrid& grid = lattice.grid();
   std::vector<std::uint32_t> out(lattice.size());
   {
-    const py::gil_scoped_release released;
+    const Released released;
     Lattice::Block block;
     for (std::size_t b = 0; b < grid.block_count(); ++b) {
       lattice.read(b, block);

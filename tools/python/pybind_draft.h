@@ -19,7 +19,7 @@ inline py::tuple made(const std::function<geom::MapDraft(const geom::Notes&)>& d
   notes.warning = [&](const std::string& text) { warnings.push_back(text); };
   std::optional<geom::MadeMap> made;
   {
-    const py::gil_scoped_release released;
+    const Released released;
     made = geom::make_map(draft(notes), cli::all_cores());
   }
   return py::make_tuple(std::move(made->map), warnings);

@@ -89,12 +89,12 @@ py::object check_return(const Scene& self, const py::object& what, const std::st
   std::string line;
   if (py::isinstance<traj::TrajectoryRecord>(what)) {
     const auto& record = what.cast<const traj::TrajectoryRecord&>();
-    const py::gil_scoped_release released;
+    const Released released;
     auto report = traj::check_record(self.scene, record, {}, record.id, 0);
     line = return_report(self, record, std::move(report), flier, rules);
   } else {
     const geom::PathRecord record = path_from(what);
-    const py::gil_scoped_release released;
+    const Released released;
     auto report = traj::check_record(self.scene, record, {}, record.id, 0);
     line = return_report(self, record, std::move(report), flier, rules);
   }
@@ -130,7 +130,7 @@ py::list ways_home(const Scene& self, const py::object& what, const std::string&
   const Asked asked = asked_of(self, what, limits, autopilot, navigation);
   std::vector<traj::ContingencyRecord> records;
   {
-    const py::gil_scoped_release released;
+    const Released released;
     traj::WaysTask task{.models = asked.models};
     const std::shared_ptr<std::istream> in = geom::open_file(sites);
     for (const traj::DrawnSite& site :
@@ -162,7 +162,7 @@ py::object check_ways_home(const Scene& self, const py::object& what,
   const Asked asked = asked_of(self, what, limits, autopilot, navigation);
   std::string line;
   {
-    const py::gil_scoped_release released;
+    const Released released;
     std::vector<traj::ContingencyRecord> records;
     for (const std::string& way : ways) {
       records.push_back(traj::parse_contingency_record(way, "ways", records.size() + 1));

@@ -233,7 +233,7 @@ py::dict accepted(const traj::MissionExport& made) {
 
 traj::MissionExport export_one(const Scene& self, Exported one, const traj::MissionFormat& format,
                                const ExportOptions& options, double spare) {
-  const py::gil_scoped_release released;
+  const Released released;
   const std::string& id = one.flight.id;
   self.scene.map().require(geom::Verified::contents, on_threads(0));
   agreed_vehicle(one.provenance, self.scene, geom::Differences::refused, id);
@@ -265,7 +265,7 @@ py::dict export_mission(const Scene& self, const py::object& what, const std::st
 
 // The report of skyway-check as JSON.
 std::string check_submission(const std::string& folder, unsigned threads) {
-  const py::gil_scoped_release released;
+  const Released released;
   traj::SubmissionRun run;
   run.flights = run.pairs = on_threads(threads);
   return traj::to_json_line(traj::check_submission(folder, run));

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "geom/base/execution.h"
+#include "geom/base/usual_arithmetic.h"
 #include "geom/collision/collision.h"
 #include "geom/record/agreed_room.h"
 #include "geom/record/record.h"
@@ -19,6 +20,12 @@
 namespace binding {
 
 namespace py = pybind11;
+
+// What work of the libraries needs: no lock of Python, and the usual arithmetic.
+struct Released {
+  py::gil_scoped_release lock;
+  geom::UsualArithmetic arithmetic;
+};
 
 void bind_errors(py::module_& module);
 void bind_artefacts(py::module_& module);  // box maps, lattices, roadmaps

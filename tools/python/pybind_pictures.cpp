@@ -105,7 +105,7 @@ std::string page_html(const BoxMap* map, const py::list& records, const py::list
          number});
   }
   cli::require_same_map(contents, map);
-  const py::gil_scoped_release released;
+  const Released released;
   view::Bundle bundle;
   const view::Json meta = view::describe(contents, {}, {}, on_threads(threads), bundle);
   return view::page(title, meta, bundle);

@@ -83,7 +83,7 @@ geom::PathRecord plan_one(Planner& self, const py::object& from, const py::objec
   const Vec3 start = vec3(from, "start");
   const Vec3 goal = vec3(to, "goal");
   require_metres(self.scene.map().spec().frame, std::array{start, goal}, "start and goal");
-  const py::gil_scoped_release released;
+  const Released released;
   return plan::path_record(self.scene, id, self.planner.plan(start, goal, options));
 }
 
@@ -99,7 +99,7 @@ std::vector<geom::PathRecord> plan_batch(Planner& self, const py::object& querie
   if (ids && ids->size() != count) {
     throw py::value_error(fmt::format("ids: expected {}, found {}", count, ids->size()));
   }
-  const py::gil_scoped_release released;
+  const Released released;
   require_coordinates(ends, 6, "queries");
   std::vector<geom::PathRecord> out(count);
   geom::parallel_for(count, on_threads(threads), [&](std::size_t i) {

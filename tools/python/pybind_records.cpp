@@ -20,6 +20,7 @@ using traj::TrajectoryRecord;
 
 template <class Record, class Parse>
 std::vector<Record> read_records(const std::string& path, const Parse& parse) {
+  const geom::UsualArithmetic usual;
   std::vector<Record> out;
   cli::InputFile file(path);
   file.for_each_line([&](const std::string& line, std::size_t number) {
@@ -178,6 +179,7 @@ void bind_trajectory(py::module_& module) {
 
 // The ids, and (n, 6): from and to.
 py::tuple read_queries(const std::string& path) {
+  const geom::UsualArithmetic usual;
   cli::InputFile file(path);
   const auto list = geom::read_plan_queries(file.stream(), file.name());
   py::list ids;

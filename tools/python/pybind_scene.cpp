@@ -64,7 +64,7 @@ py::array each(const Scene& scene, const py::object& object, unsigned threads,
   queries.require_metres(scene.scene.map().spec().frame);
   std::vector<std::uint8_t> out(queries.size());
   {
-    const py::gil_scoped_release released;
+    const Released released;
     in_batches(out.size(), threads, [&](std::size_t begin, std::size_t end) {
       queries.require_coordinates(begin, end);
       for (std::size_t i = begin; i < end; ++i) out[i] = answer(queries.from(i), queries.to(i));
@@ -98,7 +98,7 @@ py::tuple nearest(const Scene& self, const py::object& object, double radius, un
   std::vector<double> distance(at.size(), std::numeric_limits<double>::infinity());
   std::vector<std::int64_t> box(at.size(), -1);
   {
-    const py::gil_scoped_release released;
+    const Released released;
     in_batches(at.size(), threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         const auto found = self.scene.nearest(at[i], radius);
@@ -127,7 +127,9 @@ void bind_vehicle(py::module_& module) {
       .def_property_readonly("half", [](const Vehicle& v) { return tuple_of(v.half); })
       .def_property_readonly("limits", [](const Vehicle& v) { return dict_of(v.limits); })
       .def("__eq__", [](const Vehicle& a, const Vehicle& b) { return a == b; });
-  module.def("vehicle", [](const std::string& word) { return cli::parse_vehicle(word).vehicle; });
+  module.def(
+      "vehicle", [](const std::string& word) { return cli::parse_vehicle(word).vehicle; },
+      py::call_guard<geom::UsualArithmetic>());
 }
 
 }  // namespace

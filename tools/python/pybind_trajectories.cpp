@@ -79,7 +79,7 @@ traj::TrajectoryRecord solve(const Scene& self, const py::object& path, const py
   if (!(rho >= 0 && rho <= 1e3)) throw py::value_error("rho: must be within 0 to 1000");
   options.rho = rho;
   const auto yaw = yaw_from(yaw_words, asked[traj::Limit::yaw_rate].has_value(), options.limits);
-  const py::gil_scoped_release released;
+  const Released released;
   return traj::solve_record(self.scene, record, options, yaw).record;
 }
 
@@ -116,16 +116,16 @@ py::object check(const Scene& self, const py::object& what, const py::object& li
   std::string line;
   const traj::Limits asked = limits_from(limits);
   {
-    const py::gil_scoped_release released;
+    const Released released;
     self.scene.map().require(geom::Verified::contents, on_threads(0));
   }
   if (py::isinstance<traj::TrajectoryRecord>(what)) {
     const auto& record = what.cast<const traj::TrajectoryRecord&>();
-    const py::gil_scoped_release released;
+    const Released released;
     line = traj::to_json_line(check_trajectory(self, record, asked, exact), self.scene.map());
   } else {
     const geom::PathRecord record = path_from(what);
-    const py::gil_scoped_release released;
+    const Released released;
     line = traj::to_json_line(check_path(self, record, asked, exact), self.scene.map());
   }
   return from_json(line);

@@ -1,5 +1,6 @@
 """python_test.py PYTHON_DIR BIN_DIR SOURCE_DIR: the module against the tools, its examples and its pages."""
 
+import ctypes
 import json
 import os
 import pathlib
@@ -133,6 +134,27 @@ def test_answers_are_those_of_the_query_tool(out, scene):
     assert scene.sweep_hits(segments[:100], (0, 0, 0)).sum() <= hits[:100].sum()
     assert scene.nearest(points[:1], radius=0)[1][0] == (-1 if distance[0] > 0 else box[0])
     assert scene.hits(numpy.zeros((0, 6))).shape == (0,)
+
+
+def test_answers_do_not_depend_on_the_programs_arithmetic(out, scene):
+    """Another rounding, as fesetround sets it: what is asked, read and proved is the same."""
+    libm = ctypes.CDLL("libm.so.6")
+    segments = segments_in(scene, 500)
+
+    def answers():
+        trajectory = skyway.read_trajectories(f"{out}/trajectory.jsonl")[0]
+        return (skyway.Vehicle("quad2kg"), scene.free(segments).tobytes(), trajectory.points.tobytes(), scene.nearest(segments[:, :3])[0].tobytes(),
+                skyway.check(scene, trajectory), skyway.check(scene, trajectory, exact=True))
+
+    usual = answers()
+    for rounding in (0x400, 0x800, 0xC00):  # down, up, to zero
+        libm.fesetround(rounding)
+        try:
+            other = answers()
+            assert libm.fegetround() == rounding
+        finally:
+            libm.fesetround(0)
+        assert other == usual, rounding
 
 
 def test_wrong_batches_are_refused(scene):
@@ -500,6 +522,7 @@ with tempfile.TemporaryDirectory() as folder:
     test_arrays_are_those_of_the_files(folder)
     test_a_map_that_was_written_to_gives_no_answer(folder)
     test_answers_are_those_of_the_query_tool(folder, here)
+    test_answers_do_not_depend_on_the_programs_arithmetic(folder, here)
     test_wrong_batches_are_refused(here)
     test_records_are_those_of_the_tools(folder, here)
     test_errors_carry_the_tools_messages(folder, here)
