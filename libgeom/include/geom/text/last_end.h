@@ -3,7 +3,7 @@
 // Streams of lines that show when they break off.
 //
 // Example:
-//   assert(geom::up_to_last_end("{\"id\":1}\n{\"id\":2,\"ok\":true}\n") == 18);  // before ,"ok"
+//   assert(geom::up_to_last_end("{\"id\":1}\n{\"id\":2,\"ok\":true}\n") == 16);  // before ,"ok"
 //   assert(geom::up_to_last_end("a,b\n1,2\n") == 5);                          // before ,2
 
 #include <cstddef>
