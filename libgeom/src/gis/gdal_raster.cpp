@@ -24,12 +24,22 @@ constexpr double kMostCells = 2e9;
 constexpr double kMostTerrain = 2.5e8;  // cells, which are held in memory
 constexpr double kHighest = 1e4;        // metres
 constexpr double kUsualNone = -9999;    // what many write where they have no height
+constexpr double kShortNone = -999;     // what others do, unless they measured a deep sea
 
-[[noreturn]] void refuse_none(int row, int column, const std::string& name) {
-  throw InputError(name, {.item = fmt::format("row {}, column {}", row, column),
-                          .expected = "a height",
-                          .found = "-9999, and the file does not say that this stands for none",
-                          .advice = "say it, for example with `gdal_translate -a_nodata -9999`"});
+[[noreturn]] void refuse_none(double none, int row, int column, const std::string& name) {
+  throw InputError(
+      name,
+      {.item = fmt::format("row {}, column {}", row, column),
+       .expected = "a height",
+       .found = fmt::format("{}, and the file does not say that this stands for none", none),
+       .advice = fmt::format("say it, for example with `gdal_translate -a_nodata {}`", none)});
+}
+
+// The floor of a sea has other cells about as deep in a row.
+bool is_sea_floor(std::span<const double> row) {
+  return std::any_of(row.begin(), row.end(), [](double cell) {
+    return cell != kShortNone && std::abs(cell - kShortNone) < 100;
+  });
 }
 
 struct Raster {
@@ -48,8 +58,13 @@ struct Raster {
                                                   row, gdal().last_error()),
                               .advice = "the file is damaged or cut, get it again"});
     }
+    const std::span<const double> all(out, static_cast<std::size_t>(width));
+    const auto none = std::find(all.begin(), all.end(), kShortNone);
+    if (none != all.end() && !is_sea_floor(all)) {
+      refuse_none(kShortNone, row, static_cast<int>(none - all.begin()), name);
+    }
     for (int i = 0; i < width; ++i) {
-      if (out[i] == kUsualNone) refuse_none(row, i, name);
+      if (out[i] == kUsualNone) refuse_none(kUsualNone, row, i, name);
       out[i] *= metres;
       if (out[i] > kHighest) {
         throw InputError(name, {.item = fmt::format("row {}, column {}", row, i),

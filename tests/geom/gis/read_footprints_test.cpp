@@ -52,5 +52,18 @@ TEST(ReadRaster, WarnsOfCompressionThatMayChangeHeights) {
   }
 }
 
+TEST(ReadRaster, TakesNoValueForNoneForAHeight) {
+  const auto refusal = [](double none, double beside) {
+    const MemoryRaster raster({.cell = [=](int column, int row) {
+      return column == 1 && row == 2 ? none : beside + column;
+    }});
+    return support::refusal_of([&] { read_raster(raster.path(), "r", {}); });
+  };
+  EXPECT_TRUE(support::says(refusal(-9999, 40), "row 2, column 1: expected a height, found -9999"));
+  EXPECT_TRUE(support::says(refusal(-999, 40), "row 2, column 1: expected a height, found -999"));
+  EXPECT_EQ(refusal(-998, 40), "");
+  EXPECT_EQ(refusal(-999, -1003), "");  // of a sea
+}
+
 }  // namespace
 }  // namespace geom::gis
