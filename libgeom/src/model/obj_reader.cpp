@@ -9,7 +9,7 @@
 #include "geom/model/model_polygons.h"
 #include "geom/text/excerpt.h"
 #include "geom/text/text_table.h"
-#include "unit_comment.h"
+#include "text/unit_comment.h"
 
 // Wavefront's Advanced Visualizer Manual, appendix B: the polygons of it.
 

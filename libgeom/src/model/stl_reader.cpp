@@ -13,7 +13,7 @@
 #include "geom/text/beginning.h"
 #include "geom/text/excerpt.h"
 #include "geom/text/text_table.h"
-#include "unit_comment.h"
+#include "text/unit_comment.h"
 
 // 3D Systems' StereoLithography Interface Specification (1989).
 

@@ -53,6 +53,26 @@ TEST(PathCsv, RefusesAFirstColumnThatNumbersRowsOrIsATime) {
             "many ids: leave the first column out if it is a number of the row or a time");
   EXPECT_EQ(refusal("a,1,2,3\n"), "");
   EXPECT_EQ(refusal("a,1,2,3\nb,4,5,6\nb,7,8,9\n"), "");
+  // A flight that rises: x, y, z and a time.
+  EXPECT_EQ(refusal("0.5,1,2,0\n0.5,1,9,1\n4.5,1,9,2\n"),
+            "p.csv: expected ids of paths in the first of four columns, found \"0.5\": begin with "
+            "the header id,x,y,z if that is an id, else leave only the columns x,y,z");
+  EXPECT_EQ(refusal("id,x,y,z\n0.5,1,2,0\n0.5,1,9,1\n"), "");
+}
+
+TEST(PathCsv, ReadsColumnsAndUnitsInAComment) {
+  EXPECT_EQ(read("# x_m,y_m,z_m\n0,1,2\n").front().points, (Polyline{{0, 1, 2}}));
+  EXPECT_EQ(read("#\n# Units: metres\n# id,x,y,z\n0.5,1,2,3\n").front().id, "0.5");
+  EXPECT_EQ(read("# made by hand, on a Monday, in metres\n0,1,2\n").size(), 1u);
+  EXPECT_EQ(refusal("# t,x,y,z\n0,1,2,3\n0,4,5,6\n"),
+            "p.csv:1: expected the columns id,x,y,z or x,y,z, found the first of four named \"t\": "
+            "name it id if it says which path a point is of, or leave it out");
+  EXPECT_EQ(refusal("# y,x,z\n0,1,2\n"),
+            "p.csv:1: expected the columns id,x,y,z or x,y,z, found others in a comment, "
+            "\"# y,x,z\": put the columns in this order, or leave the comment out");
+  EXPECT_EQ(refusal("# units: feet\n0,1,2\n"),
+            "p.csv:1: expected coordinates in metres, found a comment that names another unit, "
+            "\"# units: feet\": convert the coordinates to metres, and leave the comment out");
 }
 
 }  // namespace

@@ -17,10 +17,12 @@ namespace geom {
 
 // A point a row in the map's axes, metres: columns id,x,y,z, or x,y,z for one path of the id
 // "path". A header naming them is optional, and its names may end in _m. Rows of an id stand
-// together. The records are found paths without provenance. Throws InputError(source, line, …) for
-// other columns, a coordinate that is no finite number within 1e8 m, an id that comes again later,
-// an empty table, several paths that all have one point (the first column may count rows, or be a
-// time), and a last line without its end, which may have lost digits.
+// together. Comments may come first; one may be that header. The records are found paths without
+// provenance. Throws InputError(source, line, …) for other columns, a coordinate that is no finite
+// number within 1e8 m, an id that comes again later, an empty table, several paths that all have
+// one point (the first column may count rows, or be a time), ids such as 0.5 without a header (they
+// may be times or coordinates), a comment that names other columns or another unit, and a last line
+// without its end, which may have lost digits.
 std::vector<PathRecord> read_path_csv(std::istream& in, std::string_view source);
 
 }  // namespace geom

@@ -1,4 +1,4 @@
-#include "model/unit_comment.h"
+#include "text/unit_comment.h"
 
 #include <gtest/gtest.h>
 

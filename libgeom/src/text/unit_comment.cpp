@@ -1,4 +1,4 @@
-#include "unit_comment.h"
+#include "text/unit_comment.h"
 
 #include <string>
 #include <utility>
