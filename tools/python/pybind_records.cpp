@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "cli/file/files.h"
+#include "geom/record/made_for_another.h"
 #include "geom/record/query_record.h"
 #include "geom/text/json_line.h"
 #include "pybind_arrays.h"
@@ -177,14 +178,16 @@ void bind_trajectory(py::module_& module) {
              py::arg("records"));
 }
 
-// The ids, and (n, 6): from and to.
-py::tuple read_queries(const std::string& path) {
+// The ids, and (n, 6): from and to. Of the scene, or of any.
+py::tuple read_queries(const std::string& path, const Scene* scene) {
   const geom::UsualArithmetic usual;
   cli::InputFile file(path);
   const auto list = geom::read_plan_queries(file.stream(), file.name());
   py::list ids;
   std::vector<double> ends;
+  const auto ours = scene ? geom::provenance_of(scene->scene) : geom::Provenance();
   for (const geom::PlanQuery& query : list) {
+    geom::require_asked_of(query.asked_of, ours, file.name(), query.line);
     ids.append(query.id);
     ends.insert(ends.end(), query.from.data(), query.from.data() + 3);
     ends.insert(ends.end(), query.to.data(), query.to.data() + 3);
@@ -197,7 +200,7 @@ py::tuple read_queries(const std::string& path) {
 void bind_records(py::module_& module) {
   bind_path(module);
   bind_trajectory(module);
-  module.def("read_queries", &read_queries, py::arg("path"));
+  module.def("read_queries", &read_queries, py::arg("path"), py::arg("scene"));
 }
 
 }  // namespace binding

@@ -36,6 +36,13 @@ void require_asked_of(const Provenance& asked, const Provenance& ours, std::stri
   const Provenance whole{asked.map ? asked.map : ours.map, asked.frame ? asked.frame : ours.frame,
                          asked.vehicle ? asked.vehicle : ours.vehicle,
                          asked.margin ? asked.margin : ours.margin};
+  const auto what = mismatch(whole, ours);
+  if (what && value_of(ours, *what, false) == "none") {
+    throw InputError(source, line,
+                     {.says = fmt::format("asked of the {} {}, and nobody says which is ours",
+                                          *what, value_of(whole, *what, false)),
+                      .advice = "give the scene that it is asked of"});
+  }
   if (const auto why = made_for_another(whole, ours)) {
     throw InputError(source, line,
                      {.says = *why, .advice = "ask for that one, or take it out of the record"});

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/reading.h"
+
 namespace geom {
 namespace {
 
@@ -34,6 +36,20 @@ TEST(MadeForAnother, GivesAllDigitsWhereFewHideTheDifference) {
   EXPECT_EQ(made_for_another(other, provenance()),
             "made for another vehicle, drone (half sizes 0.123456788, 1, 2 m), not drone (half "
             "sizes 0.123456789, 1, 2 m)");
+}
+
+TEST(MadeForAnother, SaysOfWhatAQueryIsAskedWhereNobodySaysWhichIsOurs) {
+  const auto refusal = [](const Provenance& asked, const Provenance& ours) {
+    return support::refusal_of([&] { require_asked_of(asked, ours, "q.jsonl", 2); });
+  };
+  EXPECT_EQ(refusal({}, {}), "");
+  EXPECT_EQ(refusal({.margin = 0.5}, provenance()), "");
+  EXPECT_EQ(refusal({.margin = 30}, provenance()),
+            "q.jsonl:2: made for another margin, 30 m, not 0.5 m: ask for that one, or take it out "
+            "of the record");
+  EXPECT_EQ(refusal({.margin = 30}, {}),
+            "q.jsonl:2: asked of the margin 30 m, and nobody says which is ours: give the scene "
+            "that it is asked of");
 }
 
 }  // namespace

@@ -160,10 +160,21 @@ def test_answers_do_not_depend_on_the_programs_arithmetic(out, scene):
 def test_wrong_batches_are_refused(scene):
     segments = segments_in(scene, 4)
     assert "masked" in raises(ValueError, scene.hits, numpy.ma.masked_equal(segments, segments[1, 1]))
+    row = numpy.ma.masked_equal([1, 2, 3.0], 3)
+    assert "masked" in raises(ValueError, scene.hits, [row, row])
     assert "masked" in raises(ValueError, skyway.BoxMap, [[0, 0, 0, 1, 1, 1.0]], ids=numpy.ma.masked_equal([3], 3))
     segments[2, 3] = numpy.nan
     assert "segments[2]: coordinates must be finite" in raises(skyway.InputError, scene.hits, segments)
     raises(ValueError, scene.nearest, segments)
+
+
+def test_queries_are_of_the_scene_that_they_name(out, scene):
+    file = pathlib.Path(f"{out}/asked.jsonl")
+    file.write_text('{"id":"a","from":[1,2,3],"to":[4,5,6],"margin":%r}\n' % scene.margin)
+    assert skyway.read_queries(file, scene)[0] == ["a"]
+    assert "asked of the margin" in raises(skyway.InputError, skyway.read_queries, file)
+    file.write_text('{"id":"a","from":[1,2,3],"to":[4,5,6],"margin":30}\n')
+    assert "another margin, 30 m" in raises(skyway.InputError, skyway.read_queries, file, scene)
 
 
 def test_records_are_those_of_the_tools(out, scene):
@@ -524,6 +535,7 @@ with tempfile.TemporaryDirectory() as folder:
     test_answers_are_those_of_the_query_tool(folder, here)
     test_answers_do_not_depend_on_the_programs_arithmetic(folder, here)
     test_wrong_batches_are_refused(here)
+    test_queries_are_of_the_scene_that_they_name(folder, here)
     test_records_are_those_of_the_tools(folder, here)
     test_errors_carry_the_tools_messages(folder, here)
     test_limits_of_vehicles_hold(here.map)

@@ -169,8 +169,8 @@ def calls():
     yield skyway.page, dict(map=ROOM, records=[PATH], title="a", threads=1)
     yield skyway.import_boxes, dict(path=source_dir / "tests/golden/data/village.csv", pad=1.0, tile=100.0, seal=0.0,
                                     inflate=0.0, units="m", unknown="free", frame="enu", slack=0.1)
-    for read, file in ((skyway.read_paths, "paths.jsonl"), (skyway.read_trajectories, "trajectories.jsonl"),
-                       (skyway.read_queries, "queries.jsonl")):
+    yield skyway.read_queries, dict(path=SAMPLES / "queries.jsonl", scene=SCENE)
+    for read, file in ((skyway.read_paths, "paths.jsonl"), (skyway.read_trajectories, "trajectories.jsonl")):
         yield read, dict(path=SAMPLES / file)
 
 

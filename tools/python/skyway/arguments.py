@@ -36,9 +36,14 @@ def array(name: str, values: ArrayLike, *shapes: tuple[Optional[int], ...]) -> F
 
 
 def require_unmasked(name: str, values: ArrayLike) -> None:
-    """Below a mask stands a number that nobody means."""
-    if isinstance(values, numpy.ma.MaskedArray) and numpy.any(values.mask):
-        raise ValueError(f"{name}: expected numbers, found a masked array with masked values: leave them out")
+    """Below a mask stands a number that nobody means, also where rows of a list are masked arrays."""
+    if isinstance(values, numpy.ma.MaskedArray):
+        if numpy.any(values.mask):
+            raise ValueError(f"{name}: expected numbers, found a masked array with masked values: leave them out")
+    elif isinstance(values, (list, tuple)):
+        for row in values:
+            if isinstance(row, (list, tuple, numpy.ma.MaskedArray)):
+                require_unmasked(name, row)
 
 
 def _kind_of(values: Any, given: NDArray[Any]) -> str:

@@ -9,7 +9,8 @@ import numpy
 from numpy.typing import ArrayLike
 
 from . import _skyway
-from .arguments import File, Floats, array, file, natives, text
+from .arguments import File, Floats, array, file, native, natives, text
+from .collision import CollisionScene
 from .notebook import small
 from .vehicle import MadeFor
 
@@ -117,7 +118,10 @@ def write_paths(path: File, records: Iterable[Path]) -> None:
     _skyway.write_paths(file("path", path), natives("records", records, Path))
 
 
-def read_queries(path: File) -> tuple[list[str], Floats]:
-    """The ids of a file of queries, and (n, 6): from and to, in metres."""
-    ids, ends = _skyway.read_queries(file("path", path))
+def read_queries(path: File, scene: Optional[CollisionScene] = None) -> tuple[list[str], Floats]:
+    """The ids of a file of queries, and (n, 6): from and to, in metres.
+
+    A query that says a map, frame, vehicle or margin is refused unless a `scene` is given that has just these.
+    """
+    ids, ends = _skyway.read_queries(file("path", path), None if scene is None else native("scene", scene, CollisionScene))
     return ids, ends

@@ -22,7 +22,8 @@ namespace geom {
 std::optional<std::string> made_for_another(const Provenance& made_for, const Provenance& ours);
 
 // Throws InputError(source, line, …) where a record that asks something says a map, frame, vehicle
-// or margin, and it is not ours. What the record does not say counts as ours.
+// or margin, and it is not ours, or nobody says which is. What the record does not say counts as
+// ours.
 void require_asked_of(const Provenance& asked, const Provenance& ours, std::string_view source,
                       std::size_t line);
 
