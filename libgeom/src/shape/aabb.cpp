@@ -157,7 +157,7 @@ std::optional<Aabb> shrink(const Aabb& bounds, const Vec3& half) {
   for (int i = 0; i < 3; ++i) {
     inner.min[i] = add_up(bounds.min[i], half[i]);
     inner.max[i] = add_down(bounds.max[i], -half[i]);
-    if (inner.min[i] > inner.max[i]) return std::nullopt;
+    if (!(inner.min[i] <= inner.max[i])) return std::nullopt;  // NaN, too
   }
   return inner;
 }

@@ -1,8 +1,14 @@
 #include "traj/flight/flown_path.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 
 #include "curve/bernstein.h"
+#include "geom/base/error.h"
+#include "geom/base/precondition.h"
+#include "traj/proof/domain.h"
 
 namespace traj {
 namespace {
@@ -90,8 +96,26 @@ FlightPathCheck check_flight_path(const geom::CollisionScene& scene, const Quadr
   return out;
 }
 
+namespace {
+
+// A radius that is not a number would be clear of all.
+void require_tube(std::span<const double> radius, double period) {
+  if (radius.empty()) {
+    throw geom::InputError("tube", {.key = "radius", .expected = "metres", .found = "none"});
+  }
+  for (const double one : radius) geom::require_length("radius", one, geom::kFarthest);
+  if (!(period > 0 && std::isfinite(period))) {
+    throw geom::InputError(
+        "tube", {.key = "period", .expected = "seconds > 0", .found = fmt::to_string(period)});
+  }
+}
+
+}  // namespace
+
 FlightPathCheck check_tube(const geom::CollisionScene& scene, const Trajectory& trajectory,
                            std::span<const double> radius, double period) {
+  require_tube(radius, period);
+  if (const auto outside = outside_domain(trajectory, {})) return {.reason = outside->reason};
   double begin = 0;
   for (const Segment& segment : trajectory.segments) {
     double most = 0;

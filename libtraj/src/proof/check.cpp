@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <vector>
 
@@ -20,7 +19,7 @@ namespace traj {
 namespace {
 
 // A comparison with what is not a number holds whatever it is compared with.
-void require_numbers(const CheckOptions& options) {
+void require_numbers(const CheckOptions& options, std::size_t segments) {
   const auto require = [](const char* what, double value) {
     if (value >= 0) return;
     throw geom::InputError(what, {.expected = "a number >= 0", .found = fmt::to_string(value)});
@@ -32,6 +31,18 @@ void require_numbers(const CheckOptions& options) {
   require("yaw_gap", options.yaw_gap);
   require("yaw_rate_gap", options.yaw_rate_gap);
   require("step_share", options.step_share);
+  if (!options.stray.empty() && options.stray.size() != segments) {
+    throw geom::InputError("stray",
+                           {.expected = fmt::format("one for each of {} segments", segments),
+                            .found = fmt::to_string(options.stray.size())});
+  }
+  for (const Stray& stray : options.stray) {
+    for (const double along : stray.position) require("stray.position", along);
+    require("stray.velocity", stray.velocity);
+    require("stray.acceleration", stray.acceleration);
+    require("stray.jerk", stray.jerk);
+    require("stray.yaw_rate", stray.yaw_rate);
+  }
   if (options.start && !(std::abs(*options.start) <= geom::kLargestTime)) {
     throw geom::InputError("start",
                            {.expected = fmt::format("seconds within {:g}", geom::kLargestTime),
@@ -109,7 +120,6 @@ void check_joints(const Trajectory& trajectory, const CheckOptions& options, Che
 // The segments with what may be beside them, and where neighbours miss each other, the steps.
 std::vector<Piece> pieces_and_steps(const Trajectory& trajectory, std::span<const Stray> stray) {
   std::vector<Piece> pieces = pieces_of(trajectory);
-  assert(stray.empty() || stray.size() == trajectory.segments.size());
   const std::size_t count = pieces.size();
   for (std::size_t i = 0; i < stray.size(); ++i) pieces[i].stray = stray[i].position;
   for (std::size_t i = 0; i + 1 < count; ++i) {
@@ -136,7 +146,7 @@ std::vector<Piece> with_stands(std::vector<Piece> pieces, const Piece& first, co
 
 CheckResult check(const geom::CollisionScene& scene, const Trajectory& trajectory,
                   const CheckOptions& options) {
-  require_numbers(options);
+  require_numbers(options, trajectory.segments.size());
   CheckResult result;
   if (const auto outside = outside_domain(trajectory, options.limits)) {
     note(result, outside->reason, {outside->value, outside->time, Vec3::Zero()});

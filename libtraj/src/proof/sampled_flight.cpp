@@ -1,10 +1,13 @@
 #include "traj/proof/sampled_flight.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
+#include "geom/base/error.h"
 #include "geom/shape/hull.h"
 
 namespace traj {
@@ -148,6 +151,19 @@ void note_gap(double time, const Vec3& place, double seconds, SampledFlight& out
   out.worst = seconds;
 }
 
+void require_samples(std::span<const Vec3> points, std::span<const double> times) {
+  if (points.empty() || points.size() != times.size()) {
+    throw geom::InputError("samples",
+                           {.expected = "points, at least one, with a time each",
+                            .found = fmt::format("{} with {} times", points.size(), times.size())});
+  }
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (std::isfinite(times[i]) && (i == 0 || times[i] > times[i - 1])) continue;
+    throw geom::InputError("samples", {.expected = "times that grow",
+                                       .found = fmt::format("{} s at sample {}", times[i], i)});
+  }
+}
+
 }  // namespace
 
 std::string_view verdict(const SampledFlight& flight) {
@@ -157,6 +173,7 @@ std::string_view verdict(const SampledFlight& flight) {
 
 SampledFlight check_sampled(const geom::CollisionScene& scene, std::span<const Vec3> points,
                             std::span<const double> times) {
+  require_samples(points, times);
   SampledFlight out;
   out.duration = times.back() - times.front();
   const auto [first, last] = in_the_air(scene, points);

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
+#include <utility>
 
 #include "curve/curve_piece.h"
+#include "geom/base/error.h"
 #include "geom/base/rounding.h"
 #include "geom/record/flight_time.h"
+#include "judgeable.h"
 #include "place_at.h"
 #include "timeline.h"
 
@@ -192,7 +194,8 @@ std::optional<geom::Fault> moving_box_fault(const MovingBox& box) {
 }
 
 MovingResult check_moving(const TimedFlight& flight, const MovingBox& box, Parked parked) {
-  assert(!moving_box_fault(box));
+  if (auto fault = moving_box_fault(box)) throw geom::InputError("obstacle", *std::move(fault));
+  require_judgeable(flight);
   MovingResult result;
   MovingSearch search(box, flight.room);
   const Timeline line(flight);

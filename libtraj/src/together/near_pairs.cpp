@@ -5,6 +5,7 @@
 #include "box_tree.h"
 #include "geom/base/parallel.h"
 #include "geom/base/rounding.h"
+#include "judgeable.h"
 #include "timeline.h"
 
 namespace traj {
@@ -104,6 +105,8 @@ class Boxes {
 
 std::vector<FlightPair> near_pairs(std::span<const TimedFlight> flights, const Spacing& spacing,
                                    Parked parked, const geom::Execution& run, double step) {
+  require_judgeable(spacing);
+  for (const TimedFlight& flight : flights) require_judgeable(flight);
   std::vector<std::vector<TimedBox>> of(flights.size());
   geom::parallel_for(flights.size(), {run.threads, {}}, [&](std::size_t i) {
     of[i] = Boxes(flights[i], static_cast<std::uint32_t>(i), spacing).all(parked, step);

@@ -1,11 +1,11 @@
 #include "traj/together/nearest_approach.h"
 
 #include <algorithm>
-#include <cassert>
 #include <tuple>
 
 #include "curve/curve_piece.h"
 #include "geom/base/parallel.h"
+#include "geom/base/precondition.h"
 #include "timeline.h"
 
 namespace traj {
@@ -59,7 +59,7 @@ std::optional<Approach> approach_of(const TimedFlight& a, const Timeline& a_line
 
 std::vector<Approach> nearest_approaches(std::span<const TimedFlight> flights, double within,
                                          const geom::Execution& run) {
-  assert(within > 0);
+  geom::require_length("within", within, geom::kLargestCoordinate);
   Spacing spacing;
   spacing.zone = cylinder(within, within);
   const double step = std::max(kLeastBox, 2 * within);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "judgeable.h"
 #include "pair_search.h"
 #include "timeline.h"
 #include "zone_side.h"
@@ -212,6 +213,9 @@ class PairSearch {
 
 PairResult check_pair(const TimedFlight& a, const TimedFlight& b, std::span<const Zone> zones,
                       Parked parked) {
+  require_judgeable(a);
+  require_judgeable(b);
+  for (const Zone& zone : zones) require_judgeable(zone);
   return check_pair(Timeline(a), Timeline(b), zones, parked);
 }
 

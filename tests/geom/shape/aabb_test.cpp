@@ -171,6 +171,7 @@ TEST(AabbShrink, KeepsTheWholeVehicleInsideAndSaysWhenItDoesNotFit) {
   EXPECT_EQ(inner->min, Vec3(1, 2, 5));
   EXPECT_EQ(inner->max, Vec3(9, 8, 5));
   EXPECT_FALSE(shrink({{0, 0, 0}, {10, 10, 10}}, {1, 1, 5.1}));
+  EXPECT_FALSE(shrink({{0, 0, 0}, {10, 10, 10}}, {1, 1, std::nan("")}));
 }
 
 TEST(AabbBounds, AreNothingWithoutPoints) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geom/base/error.h"
 #include "traj/flight/simulate.h"
 #include "traj/flights.h"
 #include "traj/scenes.h"
@@ -69,6 +70,20 @@ TEST(Tube, IsClearExactlyWhileItIsThinnerThanTheWay) {
   radius[50] = 0.5;
   radius[5] = 1.01;  // long before
   EXPECT_TRUE(check_tube(scene, t, radius, 0.1).clear);
+}
+
+TEST(Tube, IsNotClearWhereANumberIsNone) {
+  const auto scene = testing::scene_of({{Vec3(4, 1, 0), Vec3(6, 2, 10)}});
+  const Trajectory t = testing::line({10, 0, 0}, 10);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double> radius(100, 0.5), wrong(100, nan), below(100, -0.5);
+  EXPECT_THROW(check_tube(scene, t, wrong, 0.1), geom::InputError);
+  EXPECT_THROW(check_tube(scene, t, below, 0.1), geom::InputError);
+  EXPECT_THROW(check_tube(scene, t, std::vector<double>{}, 0.1), geom::InputError);
+  for (const double period : {nan, 0.0, -1.0}) {
+    EXPECT_THROW(check_tube(scene, t, radius, period), geom::InputError);
+  }
+  EXPECT_FALSE(check_tube(scene, Trajectory{}, radius, 0.1).clear);
 }
 
 }  // namespace

@@ -61,6 +61,20 @@ TEST(Check, SaysNoYesToWhatIsNotANumber) {
     options.*member = nan;
     EXPECT_THROW(check(cube(), line, options), geom::InputError);
   }
+  for (const double wrong : {nan, -1.0}) {
+    for (double Stray::*member :
+         {&Stray::velocity, &Stray::acceleration, &Stray::jerk, &Stray::yaw_rate}) {
+      Stray stray;
+      stray.*member = wrong;
+      CheckOptions options;
+      options.stray = {&stray, 1};
+      EXPECT_THROW(check(cube(), line, options), geom::InputError);
+    }
+  }
+  const Stray strays[2] = {};
+  CheckOptions too_many;
+  too_many.stray = strays;
+  EXPECT_THROW(check(cube(), line, too_many), geom::InputError);
   const double wrongs[] = {nan, INFINITY, -INFINITY, 1e10, 1e155, 1e300, -1.7e308};
   for (const double wrong : wrongs) {
     for (int i = 0; i < kPoints; ++i) {

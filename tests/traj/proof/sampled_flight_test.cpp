@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "geom/base/error.h"
 #include "traj/scenes.h"
 
 namespace traj {
@@ -109,6 +110,14 @@ TEST(SampledFlight, HasNoClearanceWithoutObstacles) {
   const geom::CollisionScene empty = scene_of({});
   EXPECT_FALSE(
       check_sampled(empty, std::vector<Vec3>{{0, 0, 5}}, std::vector<double>{0}).clearance);
+}
+
+TEST(SampledFlight, RefusesTimesThatDoNotGrow) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Vec3> points = {{0, 0, 5}, {0, 0.1, 5}};
+  for (const std::vector<double>& times : {std::vector<double>{0, nan}, {1, 0}, {0, 0}, {0}, {}}) {
+    EXPECT_THROW(check_sampled(scene_of({}), points, times), geom::InputError);
+  }
 }
 
 }  // namespace

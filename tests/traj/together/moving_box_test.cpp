@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "geom/base/error.h"
 #include "traj/scenes.h"
 
 namespace traj {
@@ -101,6 +102,18 @@ TEST(MovingBox, RefusesWhatIsNone) {
   EXPECT_TRUE(fault([](MovingBox& b) { b.from = 1e-12; }));
   EXPECT_TRUE(fault([](MovingBox& b) { b.until = 1e10; }));
   EXPECT_TRUE(fault([](MovingBox& b) { b.until = 1e9, b.velocity.x() = 1; }));
+}
+
+TEST(MovingBox, ThatIsNoneIsNotKeptClearOf) {
+  const Trajectory line = testing::straight({0, 0, 0}, {80, 0, 0}, 8);
+  const auto check = [&](auto change, double start) {
+    MovingBox box = still_box();
+    change(box);
+    return check_moving({&line, start, Vec3::Zero()}, box, Parked::gone);
+  };
+  EXPECT_THROW(check([](MovingBox& b) { b.from = std::nan(""); }, 0), geom::InputError);
+  EXPECT_THROW(check([](MovingBox& b) { std::swap(b.box.min, b.box.max); }, 0), geom::InputError);
+  EXPECT_THROW(check([](MovingBox&) {}, std::nan("")), geom::InputError);
 }
 
 }  // namespace

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "geom/base/error.h"
 #include "support/pair_case.h"
+#include "traj/scenes.h"
 
 namespace traj {
 namespace {
@@ -39,6 +43,18 @@ TEST(NearPairs, LeaveOutThoseThatAreFarApartInSpaceOrTime) {
 }
 
 TEST(NearPairs, AreNoneOfNoFlights) { EXPECT_TRUE(near_pairs({}, {}, Parked::pad).empty()); }
+
+TEST(NearPairs, RefuseFlightsAndZonesThatNobodyCanJudge) {
+  const double nan = std::nan("");
+  const Trajectory line = testing::straight({0, 0, 0}, {80, 0, 0}, 8);
+  const TimedFlight good{&line, 0, Vec3::Zero()};
+  const TimedFlight late[] = {good, {&line, nan, Vec3::Zero()}};
+  const TimedFlight wide[] = {good, {&line, 0, Vec3(nan, 0, 0)}};
+  const TimedFlight fine[] = {good, good};
+  EXPECT_THROW(near_pairs(late, {}, Parked::gone), geom::InputError);
+  EXPECT_THROW(near_pairs(wide, {}, Parked::gone), geom::InputError);
+  EXPECT_THROW(near_pairs(fine, {cylinder(nan, nan), {}}, Parked::gone), geom::InputError);
+}
 
 }  // namespace
 }  // namespace traj

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "geom/base/error.h"
 #include "support/pair_case.h"
 #include "traj/scenes.h"
 
@@ -100,6 +101,23 @@ TEST(PairCheck, IsNoCoarserFarFromTheOrigin) {
   EXPECT_FALSE(check_pair({&a, 86400.1, Vec3::Zero()}, {&b, 86400.1, Vec3::Zero()},
                           std::array{cylinder(4 + 0x1p-28, 1)}, Parked::pad)
                    .apart);
+}
+
+TEST(PairCheck, RefusesFlightsAndZonesThatNobodyCanJudge) {
+  const double nan = std::nan("");
+  const Trajectory line = straight({0, 0, 0}, {80, 0, 0}, 8);
+  Trajectory broken = line;
+  broken.segments[0].point[3].y() = nan;
+  const TimedFlight good{&line, 0, Vec3::Zero()};
+  for (const TimedFlight& wrong :
+       {TimedFlight{&line, nan, Vec3::Zero()}, TimedFlight{&line, 0, Vec3(0, nan, 0)},
+        TimedFlight{&line, 0, Vec3(-1, 0, 0)}, TimedFlight{&broken, 0, Vec3::Zero()}}) {
+    EXPECT_THROW(check_pair(good, wrong, std::array{cylinder(1, 1)}, Parked::gone),
+                 geom::InputError);
+  }
+  for (const Zone& wrong : {cylinder(nan, 1), cylinder(-1, 1), cylinder(1, INFINITY)}) {
+    EXPECT_THROW(check_pair(good, good, std::array{wrong}, Parked::gone), geom::InputError);
+  }
 }
 
 }  // namespace

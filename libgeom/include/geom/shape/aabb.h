@@ -64,7 +64,7 @@ std::optional<Aabb> bounds(std::span<const Aabb> boxes);
 Aabb grow(const Aabb& obstacle, const Vec3& half);
 
 // Where the reference point of a vehicle of half sizes `half` may be while the whole vehicle is
-// inside the closed `bounds`. Rounded inward; nothing when the vehicle does not fit.
+// inside the closed `bounds`. Rounded inward; nothing for NaN, or if the vehicle does not fit.
 std::optional<Aabb> shrink(const Aabb& bounds, const Vec3& half);
 
 }  // namespace geom

@@ -40,7 +40,9 @@ FlightPathCheck check_flight_path(const geom::CollisionScene& scene, const Quadr
 
 // Whether the trajectory (in the map's axes) is clear while the vehicle strays from it by up to
 // radius[k] metres during [k, k + 1] * period: the moving box of vehicle, margin, radius and the
-// curve's sagitta, swept along chords of 10 ms.
+// curve's sagitta, swept along chords of 10 ms. The last radius goes on. Not clear, with the reason
+// of domain.h, where the trajectory is outside of it. Throws InputError for no radius, a radius
+// below 0 or not a number, and a period that is not above 0.
 FlightPathCheck check_tube(const geom::CollisionScene& scene, const Trajectory& trajectory,
                            std::span<const double> radius, double period);
 

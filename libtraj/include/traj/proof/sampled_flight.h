@@ -46,7 +46,7 @@ std::string_view verdict(const SampledFlight& flight);
 
 // Along the straight lines between neighbouring samples, exact on these (check_path), but for those
 // that are more than kLongestGap apart, or further than a vehicle flies. `points` in the map's
-// axes, reached at `times`, which grow; at least one.
+// axes, reached at `times`, which grow; at least one. Throws InputError for other spans.
 //
 // A log may begin and end on the ground: while a vehicle is within 2 m across of its first sample,
 // or its last, and not half a metre above where it would be clear, what lies below it is stood on,

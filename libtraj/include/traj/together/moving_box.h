@@ -51,7 +51,8 @@ struct MovingResult {
 // (`parked`). By control points of the flight's position less that of each face, on each stretch of
 // time between joints (timeline.h): all of them beyond a face is clear, else the stretch is halved.
 // "clear" holds in real arithmetic; the obstacle is taken larger by what its faces' places round
-// by, 1e-15 of its coordinates. Requires moving_box_fault() to have no answer.
+// by, 1e-15 of its coordinates. Throws InputError for what
+// moving_box_fault() says, and for a flight as check_pair() does.
 MovingResult check_moving(const TimedFlight& flight, const MovingBox& box, Parked parked);
 
 }  // namespace traj

@@ -26,7 +26,8 @@ inline constexpr double kNearStep = 100;
 
 // Pairs that may come near. Every other pair is apart at every instant: no box around a piece of
 // the one, with its time and grown by reach_of(), meets one of the other. Rounded outward. In
-// order, each once. A tree of boxes in four dimensions: the cost grows with flights and pairs.
+// order, each once. Throws InputError for flights and zones as check_pair() does. A tree of boxes
+// in four dimensions: the cost grows with flights and pairs.
 std::vector<FlightPair> near_pairs(std::span<const TimedFlight> flights, const Spacing& spacing,
                                    Parked parked, const geom::Execution& run = {},
                                    double step = kNearStep);

@@ -48,7 +48,9 @@ struct PairResult {
 // (ticks.h), and a difference is taken relative to a place near both, so what is refused comes
 // within 1e-13 of the flights' size of a zone, at most (timeline.h). "apart" holds in real
 // arithmetic; a limit on halvings ends as undecided. Joints that miss each other count as the
-// straight step between. Symmetric in the two but for signs.
+// straight step between. Symmetric in the two but for signs. Throws InputError for a flight outside
+// of domain.h, and for times, rooms and zones that are not numbers or are below 0. Without zones
+// all are apart.
 PairResult check_pair(const TimedFlight& a, const TimedFlight& b, std::span<const Zone> zones,
                       Parked parked);
 
