@@ -15,7 +15,7 @@ import schemas  # noqa: E402
 
 within = schemas.within
 WRITTEN = {"moving"}  # which no tool prints
-WITHOUT = {"answer", "box", "boxmap", "diff", "name"}  # no records of a stream that other tools read; "name" is of a GeoJSON
+WITHOUT = {"boxmap", "name"}  # what skyway-info says, and a name in a GeoJSON
 PLACEHOLDER = re.compile(r'"map":"[A-Z]+"')  # of a session that hides the hash
 HIDDEN = re.compile(r'"manifest":"…"')
 
@@ -71,7 +71,7 @@ require_all_limits()
 known = schemas.validators(source)
 count = {}
 for place, printed, record in records():
-    kind = record.get("type")
+    kind = "tree_node" if "first_parent" in record else record.get("type")
     if printed and kind and kind not in WITHOUT:
         assert kind in known, f"{place}: no schema of {kind}"
     if kind not in known or not (printed or kind in WRITTEN):
@@ -81,7 +81,7 @@ for place, printed, record in records():
     unknown = schemas.unknown_keys(known[kind].schema, record)
     assert not unknown, f"{place}: no schema names {unknown}"
     count.setdefault(kind, []).append(record)
-for kind in ("path", "trajectory", "bound", "report", "together", "pair", "moving", "moving_conflict", "clear_of", "clear_of_moving", "returns", "contingency", "contingencies"):
+for kind in ("path", "trajectory", "bound", "report", "together", "pair", "moving", "moving_conflict", "clear_of", "clear_of_moving", "returns", "contingency", "contingencies", "answer", "box", "diff", "fleet", "tree", "tree_node"):
     assert count.get(kind), f"no session has a record of type {kind}"
 
 balloon = count["moving"][0]
