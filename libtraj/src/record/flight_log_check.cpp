@@ -19,20 +19,12 @@ void FlightLogCheck::add_plan(TrajectoryRecord plan) {
 
 void FlightLogCheck::read_tubes(std::istream& in, const std::string& source, geom::Axes axes) {
   const TubeReports tubes = TubeReports::read(in, source);
-  bool found = false;
   for (Plan& plan : plans_) {
     const geom::Provenance& made_for = plan.record.provenance;
-    const TubeRecord* const tube =
-        tubes.tube_of(plan.record.id, plan.record.trajectory,
-                      {.frame = made_for.frame.value_or(axes), .vehicle = made_for.vehicle});
-    if (!tube) continue;
-    plan.tube = *tube;
-    found = true;
+    plan.tube =
+        tubes.require_tube(plan.record.id, plan.record.trajectory,
+                           {.frame = made_for.frame.value_or(axes), .vehicle = made_for.vehicle});
   }
-  if (found) return;
-  throw geom::InputError(source, {.expected = "a flight of the plan with a tube",
-                                  .found = "none",
-                                  .advice = "skyway-fly --runs or --proved-tube writes it"});
 }
 
 const FlightLogCheck::Plan* FlightLogCheck::plan_of(const std::string& id) const {

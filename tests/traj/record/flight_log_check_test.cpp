@@ -111,6 +111,19 @@ TEST(FlightLogCheck, TakesTubesThatAreAsLongAsTheirPlan) {
                geom::InputError);
 }
 
+TEST(FlightLogCheck, WantsATubeOfEachPlan) {
+  FlightLogCheck check;
+  check.add_plan(plan("a", 3));
+  check.add_plan(plan("b", 3));
+  const std::string of_a = tube("a", 3, plan("a", 3).trajectory);
+  EXPECT_TRUE(
+      support::says(support::refusal_of([&] { check.read_tubes(support::Text(of_a), "tubes"); }),
+                    "tubes: expected a tube of each trajectory, found none of \"b\""));
+  const std::string of_both = of_a + tube("b", 3, plan("b", 3).trajectory);
+  check.read_tubes(support::Text(of_both), "tubes");
+  EXPECT_TRUE(check.judge(log("b"), scene()).tube);
+}
+
 TEST(FlightLogCheck, JudgesByItsRule) {
   const SampledReport strict = FlightLogCheck().judge(log("a"), scene());
   EXPECT_EQ(reason_of(strict, scene().map()), "sampled");

@@ -33,8 +33,8 @@ class FlightLogCheck {
   void add_plan(TrajectoryRecord plan);
   bool has_plans() const { return !plans_.empty(); }
 
-  // Takes tubes of the plans, which are in these axes. Throws InputError as TubeReports, and where
-  // none is of a plan.
+  // Takes a tube of each plan; they are in these axes. Throws InputError as TubeReports, and where
+  // a plan has none.
   void read_tubes(std::istream& in, const std::string& source, geom::Axes axes = geom::Axes::enu);
 
   // Whether a log has a plan. The plan with the id of the log counts, or else the only plan.
