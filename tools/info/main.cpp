@@ -104,6 +104,7 @@ Json describe_records(const std::string& text, const std::string& name) {
     std::string kind = fields.text("type", "query");
     if (fields.has("status")) kind += " " + fields.text("status");
     if (fields.has("ok")) kind += fields.value("ok") == true ? " ok" : " failed";
+    if (fields.has("overridden")) kind += " overridden";
     ++counts[kind];
   }
   if (counts.empty())
