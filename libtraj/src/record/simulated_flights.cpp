@@ -79,6 +79,16 @@ void SimulatedFlights::add(const TrajectoryRecord& record, std::size_t line,
                             .found = fmt::to_string(length)});
   }
   const Entry entry{record, line};
+  const auto has_its_id = [&](const Entry& other) {
+    return other.record.id == record.id && other.record.status == TrajectoryStatus::solved;
+  };
+  if (record.status == TrajectoryStatus::solved &&
+      std::any_of(entries_.begin(), entries_.end(), has_its_id)) {
+    throw geom::InputError(source_, line,
+                           {.expected = "each id once",
+                            .found = geom::in_quotes(record.id) + " again",
+                            .advice = "give each trajectory an id of its own"});
+  }
   require_vehicle(entry);
   if (scenes_) scene_for(entry);
   if (scenes_ && look_at) look_at(record.trajectory, line);

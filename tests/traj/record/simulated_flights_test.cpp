@@ -64,6 +64,13 @@ TEST(SimulatedFlights, TakesWhatItsShardTakes) {
   EXPECT_EQ(flown[0].report.id, "b");
 }
 
+TEST(SimulatedFlights, RefusesAnIdThatComesTwice) {
+  SimulatedFlights flights(options(), nullptr);
+  const std::string twice = stream() + to_json_line(record("a", 3));
+  EXPECT_EQ(support::refusal_of([&] { flights.read(support::Text(twice), "s", {}); }),
+            "s:4: expected each id once, found \"a\" again: give each trajectory an id of its own");
+}
+
 TEST(SimulatedFlights, RefusesFlightsOfMoreThanTenHours) {
   SimulatedFlights flights(options(), nullptr);
   EXPECT_TRUE(support::says(support::refusal_of([&] {
