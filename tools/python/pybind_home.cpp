@@ -173,8 +173,9 @@ py::object check_ways_home(const Scene& self, const py::object& what,
                              {.expected = "ways home of flight " + asked.flight.id,
                               .found = "one of flight " + record.id});
     }
-    const auto report = traj::check_contingencies(self.scene, asked.flight.id, asked.flight.stages,
-                                                  records, {.models = asked.models});
+    auto report = traj::check_contingencies(self.scene, asked.flight.id, asked.flight.stages,
+                                            records, {.models = asked.models});
+    report.checked_hash = asked.flight.checked_hash;
     line = traj::to_json_line(report, self.scene.map());
   }
   return from_json(line);

@@ -11,6 +11,7 @@
 #include "traj/mission/judge/judge.h"
 #include "traj/mission/named_aircraft.h"
 #include "traj/proof/exact/exact_check.h"
+#include "traj/record/checked_hash.h"
 
 namespace traj {
 namespace {
@@ -27,6 +28,13 @@ ReportRecord report_of(const Record& record, const char* checked) {
   ReportRecord report{.id = record.id, .checked = checked};
   report.provenance = record.provenance;
   report.time = record.time;
+  return report;
+}
+
+template <class Record>
+ReportRecord report_of_checked(const Record& record, const char* checked) {
+  ReportRecord report = report_of(record, checked);
+  report.checked_hash = checked_hash(record);
   return report;
 }
 
@@ -131,7 +139,7 @@ ReportRecord unsolved_report(const geom::PathRecord& record) {
 ReportRecord check_record(const geom::CollisionScene& scene, const TrajectoryRecord& record,
                           const RecordRules& rules, std::string_view source, std::size_t line) {
   if (record.status != TrajectoryStatus::solved) return unsolved_report(record);
-  ReportRecord report = report_of(record, "trajectory");
+  ReportRecord report = report_of_checked(record, "trajectory");
   hold_limits(scene, rules, record.limits, report);
   say_less_room(scene, report);
   CheckOptions options;
@@ -156,7 +164,7 @@ ReportRecord check_record(const geom::CollisionScene& scene, const TrajectoryRec
 ReportRecord check_record(const geom::CollisionScene& scene, const geom::PathRecord& record,
                           const RecordRules& rules, std::string_view source, std::size_t line) {
   if (record.status != geom::PathStatus::found) return unsolved_report(record);
-  ReportRecord report = report_of(record, "path");
+  ReportRecord report = report_of_checked(record, "path");
   geom::start_on(scene.map(), {.epoch = record.time.epoch}, source, line);
   say_less_room(scene, report);
   report.result = check_path(scene, record.points, {}, rules.clearance);

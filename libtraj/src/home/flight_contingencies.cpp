@@ -44,6 +44,7 @@ CheckedContingencies FlightContingencies::check(const geom::CollisionScene& scen
                                                 const ContingencyProof& proof) const {
   const auto& records = records_of(flight);
   CheckedContingencies out{check_contingencies(scene, flight.id, flight.stages, records, rules_)};
+  out.report.checked_hash = flight.checked_hash;
   if (!out.report.result.ok || !(proof.exact || proof.certificate)) return out;
   const auto ways = proved_ways(scene, flight.stages, records, rules_);
   const ExactTask task{scene.map(), scene.vehicle(), scene.margin()};

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geom/base/usage_error.h"
+#include "traj/record/checked_hash.h"
 #include "traj/record/trajectory_record.h"
 
 namespace traj {
@@ -38,6 +39,7 @@ HomeFlight flight_of(const geom::PathRecord& record, const std::optional<double>
     out.stages = stages_of(record, path_speed(vmax, record.provenance));
   }
   if (out.stages.empty()) out.without = "it has no path";
+  out.checked_hash = checked_hash(record);
   return out;
 }
 
@@ -45,6 +47,7 @@ HomeFlight flight_of(const TrajectoryRecord& record) {
   HomeFlight out{record.id, record.provenance, {}};
   if (record.status == TrajectoryStatus::solved) out.stages = stages_of(record.trajectory);
   if (out.stages.empty()) out.without = "it has no trajectory";
+  out.checked_hash = checked_hash(record);
   return out;
 }
 

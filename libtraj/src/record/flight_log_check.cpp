@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "geom/base/error.h"
+#include "traj/record/checked_hash.h"
 #include "traj/record/tube_reports.h"
 
 namespace traj {
@@ -55,7 +56,8 @@ SampledReport FlightLogCheck::judge(const FlightLog& log, const geom::CollisionS
                        .cut = log.cut || points.size() < 2,  // one place is no flight
                        .provenance = geom::provenance_of(scene),
                        .rule = rule_,
-                       .map_said = !log.map.empty()};
+                       .map_said = !log.map.empty(),
+                       .checked_hash = checked_hash(log)};
   const Plan* const plan = plan_of(log.id);
   if (!plan) return report;
   const TubeRecord tube = plan->tube.value_or(TubeRecord{.period = 1});

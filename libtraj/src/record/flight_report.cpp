@@ -4,6 +4,7 @@
 
 #include "geom/base/percentile.h"
 #include "geom/text/json_line.h"
+#include "traj/flight/model_hash.h"
 #include "traj/record/disturbance_record.h"
 
 namespace traj {
@@ -53,7 +54,7 @@ JsonLine tube(const FlightReport& r, const geom::BoxMap* map) {
   JsonLine line;
   line.add("share", tube_share(r.tube.tracking.size())).add("period", kTubePeriod);
   line.add("largest", *std::max_element(radius.begin(), radius.end()));
-  line.add("tilt", r.tube.tilt);
+  line.add("tilt", r.tube.tilt).add("model", model_hash(r.options));
   if (r.tube_check) {
     line.add("clear", r.tube_check->clear);
     if (!r.tube_check->clear) add_violation(line, *r.tube_check, map);
@@ -79,6 +80,7 @@ JsonLine proved(const FlightReport& r, const geom::BoxMap* map) {
   JsonLine line;
   line.add("ok", !r.proved.trouble);
   add(line, *r.disturbances);
+  line.add("model", model_hash(r.options));
   line.add("damping", r.proved.damping).add("cells", r.proved.cells);
   if (const auto& trouble = r.proved.trouble) {
     line.add("reason", geom::word_of(kTubeTroubleWords, trouble->kind)).add("time", trouble->time);

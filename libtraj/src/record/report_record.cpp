@@ -10,6 +10,7 @@
 #include "geom/text/json_line.h"
 #include "geom/zone/zone_report.h"
 #include "record/rests_on.h"
+#include "traj/record/checked_hash.h"
 #include "traj/record/duration_bound.h"
 
 namespace traj {
@@ -151,6 +152,18 @@ std::optional<std::uint64_t> parse_count(const geom::JsonFields& fields, const c
   return value.get<std::uint64_t>();
 }
 
+geom::Fault of_another(const ReportSummary& report, std::string_view why) {
+  return {
+      .expected = fmt::format("a report of the {} {}", report.checked, geom::in_quotes(report.id)),
+      .found = fmt::format("one of another: {}", why),
+      .advice = "check it anew with skyway-check"};
+}
+
+template <class Record>
+bool has_other_numbers(const ReportSummary& report, const Record& record) {
+  return !report.checked_hash.empty() && report.checked_hash != checked_hash(record);
+}
+
 std::vector<ReportSummary::Named> parse_extremes(const geom::JsonFields& fields) {
   std::vector<ReportSummary::Named> out;
   std::vector<const char*> names{"clearance"};
@@ -225,6 +238,7 @@ std::string to_json_line(const ReportRecord& record, const geom::BoxMap& map) {
   add_reason(line, record, map);
   if (record.dropped) line.add("dropped", true);
   line.add("checked", record.checked);
+  if (!record.checked_hash.empty()) line.add("checked_hash", record.checked_hash);
   if (!record.detail.empty()) line.add("detail", record.detail);
   line.add("home", record.home);
   if (record.idle_items) line.add("idle_items", record.idle_items);
@@ -265,6 +279,7 @@ ReportSummary parse_report_record(std::string_view json, std::string_view source
   ReportSummary report;
   report.id = fields.text("id");
   report.checked = flown ? "flight" : fields.text("checked", "");
+  report.checked_hash = fields.text("checked_hash", "");
   report.ok = flag(fields, fields.object(), "ok");
   if (!report.ok) report.reason = fields.text("reason");
   report.time = fields.number("time");
@@ -303,20 +318,34 @@ ReportSummary parse_report_record(std::string_view json, std::string_view source
   return report;
 }
 
-std::optional<std::string> why_not_of(const ReportSummary& report,
+std::optional<geom::Fault> why_not_of(const ReportSummary& report,
                                       const TrajectoryRecord& trajectory) {
   if (report.checked != "trajectory") return std::nullopt;
   const double lasts = duration(trajectory.trajectory);
   if (report.duration && !(std::abs(*report.duration - lasts) <= kSameDuration * lasts)) {
-    return fmt::format("it lasts {:.6g} s, and the report is of one of {:.6g} s", lasts,
-                       *report.duration);
+    return of_another(report, fmt::format("it lasts {:.6g} s, and the report is of one of {:.6g} s",
+                                          lasts, *report.duration));
+  }
+  if (has_other_numbers(report, trajectory)) {
+    return of_another(report, "its control points, durations or yaws are others");
   }
   const double starts = trajectory.time.starts();
   if (report.by_time && report.start.starts() != starts) {
-    return fmt::format("it starts at {:.9g} s, and the report holds for a start at {:.9g} s",
-                       starts, report.start.starts());
+    return of_another(
+        report, fmt::format("it starts at {:.9g} s, and the report holds for a start at {:.9g} s",
+                            starts, report.start.starts()));
   }
   return std::nullopt;
+}
+
+std::optional<geom::Fault> why_not_of(const ReportSummary& report, const geom::PathRecord& path) {
+  if (report.checked != "path" || !has_other_numbers(report, path)) return std::nullopt;
+  return of_another(report, "its points are others");
+}
+
+std::optional<geom::Fault> why_not_of(const ReportSummary& report, const FlightLog& log) {
+  if (report.checked != kCheckedFlightLog || !has_other_numbers(report, log)) return std::nullopt;
+  return of_another(report, "its samples are others");
 }
 
 }  // namespace traj

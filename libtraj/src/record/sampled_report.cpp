@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "geom/text/json_line.h"
+#include "traj/record/report_record.h"
 
 namespace traj {
 namespace {
@@ -52,7 +53,8 @@ std::string to_json_line(const SampledReport& report, const geom::BoxMap& map) {
   } else if (reason.empty() || reason == "sampled") {
     line.add("verdict", "sampled");
   }
-  line.add("checked", "flight log");
+  line.add("checked", kCheckedFlightLog);
+  if (!report.checked_hash.empty()) line.add("checked_hash", report.checked_hash);
   line.add("required_clearance", report.rule.clearance);
   if (result.clearance) {
     line.add("clearance", result.clearance->value).add("clearance_time", result.clearance->time);

@@ -23,9 +23,12 @@ using Json = nlohmann::json;
 // Members of a proved tube beside its disturbances.
 constexpr std::string_view kMembers[] = {
     "ok",      "says", "damping", "cells", "trajectory", "reason", "motor",  "room", "period",
-    "largest", "tilt", "clear",   "time",  "place",      "box",    "radius", "wind"};
+    "largest", "tilt", "clear",   "time",  "place",      "box",    "radius", "wind", "model"};
 
-constexpr std::string_view kClaimMembers[] = {"kind", "largest", "tilt", "controller", "wind"};
+constexpr std::size_t kShownDigits = 8;  // of a hash, in words
+
+constexpr std::string_view kClaimMembers[] = {"kind",       "largest", "tilt",
+                                              "controller", "wind",    "model"};
 
 // One that nobody knows may be an assumption, which would not be told on.
 void require_known(const JsonFields& tube, std::span<const std::string_view> members) {
@@ -149,6 +152,7 @@ std::optional<TubeRecord> parse_tube(std::string_view json, std::string_view sou
   TubeRecord out = proved ? read_proved(fields) : read_statistics(fields);
   out.id = flight.text("id");
   out.claim.law = read_law(flight);
+  out.claim.model = fields.text("model", "");
   out.provenance = geom::read_provenance(flight);
   return out;
 }
@@ -157,6 +161,7 @@ void add(geom::JsonLine& line, const TubeClaim& claim) {
   line.add("kind", geom::word_of(kTubeKindWords, claim.kind));
   line.add("largest", claim.largest).add("tilt", claim.tilt);
   line.add("controller", geom::word_of(kControlLawWords, claim.law));
+  if (!claim.model.empty()) line.add("model", claim.model);
   if (claim.disturbances) add(line, *claim.disturbances);
 }
 
@@ -168,6 +173,7 @@ TubeClaim read_tube_claim(const geom::JsonFields& fields) {
   out.largest = length(fields, "largest", geom::kLargestCoordinate);
   out.tilt = length(fields, "tilt", std::numbers::pi);
   out.law = read_law(fields);
+  out.model = fields.text("model", "");
   if (out.kind == TubeKind::proved) out.disturbances = read_disturbances(fields);
   return out;
 }
@@ -176,7 +182,10 @@ std::string in_words(const TubeClaim& claim) {
   const std::string tube =
       fmt::format("a tube of at most {:.4g} m", geom::rounded_up(claim.largest));
   if (claim.kind == TubeKind::statistics) return tube + ", from statistics and not proved";
-  return fmt::format("{}, proved for the simulated vehicle under the {} controller in {}", tube,
+  return fmt::format("{}, proved for the simulated vehicle ({}) under the {} controller in {}",
+                     tube,
+                     claim.model.empty() ? "of gains that the report does not name"
+                                         : "model " + claim.model.substr(0, kShownDigits),
                      geom::word_of(kControlLawWords, claim.law), in_words(*claim.disturbances));
 }
 

@@ -6,6 +6,7 @@
 
 #include "geom/base/error.h"
 #include "support/reading.h"
+#include "traj/check/check_record.h"
 #include "traj/record/verdict.h"
 #include "traj/scenes.h"
 
@@ -15,6 +16,8 @@ namespace {
 std::string refusal(const std::string& line) {
   return support::refusal_of([&] { parse_report_record(line, "r.jsonl", 3); });
 }
+
+std::string found(const std::optional<geom::Fault>& fault) { return fault ? fault->found : ""; }
 
 TEST(ReportSummary, ReadsWhatTheCheckWrote) {
   geom::BoxTable table;
@@ -95,18 +98,46 @@ TEST(ReportSummary, IsOfATrajectoryOfItsDurationAndItsStart) {
   flight.trajectory.segments.resize(1);
   flight.trajectory.segments[0].duration = 4;
   const auto why = [&](const char* line) {
-    return why_not_of(parse_report_record(line, "r.jsonl", 1), flight).value_or("");
+    return found(why_not_of(parse_report_record(line, "r.jsonl", 1), flight));
   };
   EXPECT_EQ(why(R"({"type":"report","id":"q","ok":true,"checked":"trajectory","duration":4})"), "");
   EXPECT_EQ(why(R"({"type":"report","id":"q","ok":true,"checked":"trajectory","duration":5})"),
-            "it lasts 4 s, and the report is of one of 5 s");
+            "one of another: it lasts 4 s, and the report is of one of 5 s");
   EXPECT_EQ(why(R"({"type":"report","id":"q","ok":true,"checked":"contingency","duration":5})"),
             "");
   const char* timed = R"({"type":"report","id":"q","ok":true,"checked":"trajectory","duration":4,)"
                       R"("timed_boxes":"by_time","start":60})";
-  EXPECT_EQ(why(timed), "it starts at 0 s, and the report holds for a start at 60 s");
+  EXPECT_EQ(why(timed),
+            "one of another: it starts at 0 s, and the report holds for a start at 60 s");
   flight.time.start = 60;
   EXPECT_EQ(why(timed), "");
+}
+
+TEST(ReportSummary, IsOfWhatHasItsNumbers) {
+  geom::BoxTable table;
+  table.add({{1, 1, 1}, {2, 2, 2}}, 41);
+  const geom::BoxMap map({.bounds = {{0, 0, 0}, {9, 9, 9}}}, table);
+  const geom::CollisionScene scene(map, {.half = {0.1, 0.1, 0.1}}, 0);
+  const auto back = [&](const auto& record) {
+    return parse_report_record(to_json_line(check_record(scene, record, {}, "t", 1), map), "r", 1);
+  };
+  TrajectoryRecord flight{.id = "q", .status = TrajectoryStatus::solved};
+  flight.trajectory.segments.resize(1);
+  flight.trajectory.segments[0].duration = 4;
+  flight.trajectory.segments[0].point.fill({5, 5, 5});
+  const ReportSummary report = back(flight);
+  EXPECT_TRUE(report.ok);
+  EXPECT_EQ(found(why_not_of(report, flight)), "");
+  flight.trajectory.segments[0].point[3] = {1.5, 1.5, 1.5};  // through the box, as long
+  EXPECT_EQ(found(why_not_of(report, flight)),
+            "one of another: its control points, durations or yaws are others");
+
+  geom::PathRecord path{.id = "q", .status = geom::PathStatus::found, .points = {{5, 5, 5}}};
+  const ReportSummary of_path = back(path);
+  EXPECT_EQ(found(why_not_of(of_path, path)), "");
+  EXPECT_EQ(found(why_not_of(of_path, flight)), "");  // of another kind
+  path.points.push_back({1.5, 1.5, 1.5});
+  EXPECT_EQ(found(why_not_of(of_path, path)), "one of another: its points are others");
 }
 
 TEST(ReportSummary, SaysNothingOfWhatIsNotFinite) {

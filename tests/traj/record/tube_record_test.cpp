@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geom/text/json_fields.h"
 #include "geom/text/json_line.h"
 #include "support/reading.h"
 #include "traj/record/flight_report.h"
@@ -44,8 +45,22 @@ TEST(TubeRecord, ReadsTheProvedTubeOfAReport) {
   EXPECT_EQ(tube->claim.disturbances->gust_most, 0.5);
   EXPECT_EQ(tube->provenance.vehicle->name, "quad");
   EXPECT_TRUE(tube->refused.empty());
-  EXPECT_TRUE(support::says(in_words(tube->claim),
-                            "proved for the simulated vehicle under the geometric controller"));
+  EXPECT_EQ(tube->claim.model.size(), 64u);
+  EXPECT_TRUE(support::says(in_words(tube->claim), "proved for the simulated vehicle (model " +
+                                                       tube->claim.model.substr(0, 8) +
+                                                       ") under the geometric controller"));
+}
+
+TEST(TubeRecord, NamesTheModelThatFlies) {
+  const auto tube = tube_of(proved());
+  ASSERT_TRUE(tube);
+  geom::JsonLine line;
+  add(line, tube->claim);
+  const TubeClaim back = read_tube_claim(geom::JsonFields(line.object(), "r", 1));
+  EXPECT_EQ(back.model, tube->claim.model);
+  const auto older = tube_of(with(proved(), R"("model":")" + tube->claim.model + R"(",)", ""));
+  ASSERT_TRUE(older);
+  EXPECT_TRUE(support::says(in_words(older->claim), "of gains that the report does not name"));
 }
 
 // As skyway-fly --runs writes it, without what nobody reads.

@@ -20,6 +20,10 @@
 namespace cli {
 namespace {
 
+constexpr const char* kNotOfMoving =
+    "nothing here says what skyway-check --moving found: leave its lines of moving_conflict and "
+    "clear_of_moving out, and see them with --report text";
+
 void add_archive(const geom::ArrayArchive& archive, Contents& out) {
   const std::string& name = archive.name();
   if (geom::is_box_map(archive)) {
@@ -82,7 +86,10 @@ class Records {
       out_.contingencies.push_back(
           {traj::parse_contingency_record(text, source_, line), source_, line});
     } else {
-      fields.refuse({.expected = kinds_.expected, .found = geom::in_quotes(type)});
+      const bool moving = type == "moving_conflict" || type == "clear_of_moving";
+      fields.refuse({.expected = kinds_.expected,
+                     .found = geom::in_quotes(type),
+                     .advice = moving ? kNotOfMoving : ""});
     }
   }
 
@@ -191,21 +198,18 @@ void require_metres(const Contents& contents, const geom::Frame& frame,
   }
 }
 
-// A report is of one of the trajectories of its id, where there are some.
-void require_of_shown(const Contents& contents) {
-  std::multimap<std::string_view, const traj::TrajectoryRecord*> shown;
-  for (const auto& read : contents.trajectories) shown.emplace(read.record.id, &read.record);
+// A report is of one of the records of its kind and id, where there are some.
+template <class Record>
+void require_of_shown(const Contents& contents, const std::vector<Read<Record>>& records) {
+  std::multimap<std::string_view, const Record*> shown;
+  for (const auto& read : records) shown.emplace(read.record.id, &read.record);
   for (const auto& [report, source, line] : contents.reports) {
-    std::optional<std::string> why;
+    std::optional<geom::Fault> why;
     const auto [first, last] = shown.equal_range(report.id);
     for (auto it = first; it != last && (it == first || why); ++it) {
       why = traj::why_not_of(report, *it->second);
     }
-    if (!why) continue;
-    throw geom::InputError(source, line,
-                           {.expected = "a report of the trajectory " + geom::in_quotes(report.id),
-                            .found = "one of another: " + *why,
-                            .advice = "check it anew with skyway-check"});
+    if (why) throw geom::InputError(source, line, *std::move(why));
   }
 }
 
@@ -252,7 +256,9 @@ void require_same_map(const Contents& contents, const geom::BoxMap* map,
   for (const auto& [record, source, line] : contents.together) {
     if (record.map) same.require_exactly({*record.map, {}, {}, {}}, source, line);
   }
-  require_of_shown(contents);
+  require_of_shown(contents, contents.trajectories);
+  require_of_shown(contents, contents.paths);
+  require_of_shown(contents, contents.flights);
 }
 
 void warn_of_unsaid_maps(const Common& common, const Contents& contents) {

@@ -26,6 +26,7 @@ struct HomeFlight {
   std::vector<FlightStage> stages;  // empty: there is no flight
   std::string without = {};         // why not, in words
   std::string kind = "trajectory";  // the type of its record, or "path"
+  std::string checked_hash = {};    // of the record (traj/record/checked_hash.h)
 
   // One for each stage.
   std::vector<Vec3> places() const;

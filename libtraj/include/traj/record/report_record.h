@@ -17,8 +17,10 @@
 #include <string_view>
 #include <vector>
 
+#include "geom/base/error.h"
 #include "geom/map/box_map.h"
 #include "geom/record/record.h"
+#include "traj/flight/flight_log.h"
 #include "traj/flight/flown_path.h"
 #include "traj/proof/check.h"
 #include "traj/proof/exact/exact_check.h"
@@ -39,6 +41,9 @@ struct TubeReport {
 
 // `checked` of the ways home of a flight (traj/home/check_contingencies.h).
 inline constexpr std::string_view kCheckedContingency = "contingency";
+
+// `checked` of a flight log (traj/record/sampled_report.h).
+inline constexpr std::string_view kCheckedFlightLog = "flight log";
 
 // `reason` where the way is clear, and not with the tube around it.
 inline constexpr std::string_view kTubeReason = "tube";
@@ -75,6 +80,9 @@ struct ReportRecord {
   std::optional<ReturnReport> returns = {};  // where it was asked for
   std::optional<TubeReport> tube = {};       // likewise
   bool dropped = false;  // refused and left out: the verdict on the others does not count it
+  // checked_hash() of what was checked, or of the flight whose ways home were; empty: of a drone
+  // file or of nothing.
+  std::string checked_hash = {};
 };
 
 // Adds to `report`, the result for `record`, its bounds. Refuses an accepted record
@@ -102,7 +110,8 @@ struct ReportSummary {
   };
 
   std::string id;
-  std::string checked;  // "trajectory", "path" or "flight"; may be empty
+  std::string checked;       // "trajectory", "path", "flight log" or "flight"; may be empty
+  std::string checked_hash;  // checked_hash() of that; empty: the report does not say it
   bool ok = false;
   std::string reason;  // empty when ok
   std::optional<double> time;
@@ -127,11 +136,14 @@ struct ReportSummary {
   bool by_time = false;  // timed boxes counted by their times, so it holds for this start alone
 };
 
-// Why a report of a trajectory is not of this one of its id: another duration, or another start
-// where that counts; nothing where nothing speaks against it. Two trajectories of one duration
-// cannot be told apart.
-std::optional<std::string> why_not_of(const ReportSummary& report,
+// Why a report of a trajectory, path or log is not of this one of its id: other numbers, or another
+// start where that counts; nothing where nothing speaks against it, and of a report of another
+// kind. A report that does not say its hash is taken for one of any trajectory of its duration, any
+// path and any log.
+std::optional<geom::Fault> why_not_of(const ReportSummary& report,
                                       const TrajectoryRecord& trajectory);
+std::optional<geom::Fault> why_not_of(const ReportSummary& report, const geom::PathRecord& path);
+std::optional<geom::Fault> why_not_of(const ReportSummary& report, const FlightLog& log);
 
 // Throws InputError(source, line, …) for anything that is not such a record: malformed JSON, no
 // "ok", a refusal without a reason, a number that is not finite, an "ok" beside times without a

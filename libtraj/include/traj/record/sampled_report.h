@@ -38,7 +38,8 @@ struct SampledReport {
   SampledRule rule = {};
   // The log lasts a shorter time than its plan, so that it cannot hold the whole flight.
   bool short_of_plan = false;
-  bool map_said = true;  // by the log: its places are of this map
+  bool map_said = true;           // by the log: its places are of this map
+  std::string checked_hash = {};  // checked_hash() of the log; may be empty
 };
 
 // Why a log on `map` is refused; empty where its rule accepts it. A touch is always refused:

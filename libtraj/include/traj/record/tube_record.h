@@ -40,6 +40,7 @@ struct TubeClaim {
   double tilt = 0;                                // rad: the vehicle tilts no further
   ControlLaw law = ControlLaw::geometric;         // that flies it
   std::optional<Disturbances> disturbances = {};  // for which it was proved
+  std::string model = {};  // model_hash() of what flies; empty: its report does not say it
 };
 
 struct TubeRecord {
@@ -65,7 +66,8 @@ void add(geom::JsonLine& line, const TubeClaim& claim);
 // Reads these back. Throws InputError for a member that is missing, cannot be or is not known.
 TubeClaim read_tube_claim(const geom::JsonFields& fields);
 
-// "a tube of at most 0.031 m, proved for the simulated vehicle under the geometric controller in …"
+// "a tube of at most 0.031 m, proved for the simulated vehicle (model 1f2e3d4c) under the geometric
+// controller in …", with the first digits of the model's hash,
 // or "a tube of at most 0.05 m,
 // from statistics and not proved".
 std::string in_words(const TubeClaim& claim);
