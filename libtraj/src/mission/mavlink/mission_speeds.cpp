@@ -9,11 +9,12 @@ namespace traj {
 
 // PX4 (Navigator::run) flies its legs at a speed of any type. A speed that is not above 0 restores
 // its own speed. ArduPilot (ModeAuto::do_change_speed) obeys the types, and ignores a speed that is
-// not above 0.
+// not above 0, or that is below the least of its legs (AC_WPNav::set_speed_NE_cms).
 void MissionSpeeds::take(const MissionItem& item, FlownTrack& track, MissionClock& clock) {
   constexpr double kLevel[] = {0, 1};  // the types of speeds through the air and over ground
   constexpr double kClimb = 2;
   constexpr double kDescent = 3;
+  constexpr double kLeastOfArdupilot = 0.2;  // m/s; 0.1 in newer versions
   const double type = item.param[0];
   const double speed = item.param[1];
   const bool px4 = !flown_by(Firmware::ardupilot, rules_);
@@ -37,7 +38,8 @@ void MissionSpeeds::take(const MissionItem& item, FlownTrack& track, MissionCloc
     clock.say_descent(speed);
   }
   const bool level = std::find(std::begin(kLevel), std::end(kLevel), type) != std::end(kLevel);
-  if (level ? !waits_ || !ardupilot : !ardupilot) {
+  const bool may_ignore = ardupilot && (waits_ || speed < kLeastOfArdupilot);
+  if (level ? !may_ignore : !ardupilot) {
     track.say_speed(speed);
     clock.say_speed(speed);
   } else if (level || px4) {

@@ -242,6 +242,19 @@ TEST(FlownMission, Px4TakesRatesOfClimbForSpeeds) {
   }
 }
 
+TEST(FlownMission, ArdupilotIgnoresSpeedsThatAreTooSmall) {
+  const auto speed = [](double said, const char* autopilot) {
+    Maker maker;
+    maker.just(kSpeed, {1, said, -1, 0}).add(kWaypoint, {50, 0, 30}, {1, 0.2, 0, 0});
+    maker.add(kWaypoint, {100, 0, 30});
+    return maker.fly({.autopilots = *autopilots_of(autopilot)}).speed;
+  };
+  EXPECT_EQ(speed(0.1, "ardupilot"), std::nullopt);
+  EXPECT_EQ(speed(0.1, "any"), std::nullopt);
+  EXPECT_EQ(speed(0.1, "px4"), 0.1);
+  EXPECT_EQ(speed(0.3, "ardupilot"), 0.3);
+}
+
 TEST(FlownMission, ArdupilotMayNeverRunWhatFollowsACondition) {
   for (const int condition : {kConditionDelay, kConditionDistance, kConditionYaw}) {
     Maker maker;
