@@ -15,6 +15,15 @@ ReturnModel model_of(const Autopilot& autopilot, const std::optional<double>& he
   return model;
 }
 
+// It returns before its mission switches the fence on, or after that.
+void switch_fence_on(const Autopilot& autopilot, ReturnModel& model) {
+  if (autopilot.firmware != Firmware::ardupilot) return;
+  model.fence_excludes = true;
+  if (model.ceiling) return;
+  model.ceiling = autopilot.switched_fence.return_ceiling;
+  model.keeps_below_ceiling = false;
+}
+
 // The ground below an end of a flight, if it is level.
 void add_pad(const geom::CollisionScene& scene, const Vec3& end, ReturnTask& task) {
   constexpr double kLevel = 1;  // m
@@ -38,6 +47,7 @@ FlightReturn flight_return(const FlownMission& mission, const Flier& flier,
                      [&](const Autopilot& one) { return one.name == drift.autopilot; });
     assert(autopilot != flier.autopilots.end());  // the mission was read for this flier
     out.task.models.push_back(model_of(*autopilot, flier.return_height(height)));
+    if (mission.switches_fence) switch_fence_on(*autopilot, out.task.models.back());
     out.task.models.back().around += mission.path_stray;
     out.stages.push_back(stages_of(drift));
   }

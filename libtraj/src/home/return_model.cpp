@@ -66,9 +66,11 @@ ReturnModel return_model(const Autopilot& autopilot) {
   out.height = autopilot.return_height;
   out.least_climb = autopilot.return_climb;
   out.slope = autopilot.return_slope;
-  out.ceiling = autopilot.return_ceiling;
+  out.ceiling = autopilot.fence.return_ceiling;
+  out.keeps_below_ceiling = !autopilot.highest_item;  // newer versions do not
   out.cone = cone_of(autopilot);
-  out.known = autopilot.returns_home;
+  // A lost link makes PX4 hold before it returns (COM_FAIL_ACT_T).
+  out.known = autopilot.returns_home && !autopilot.climbs_to_hold;
   out.rally_adds = autopilot.rally_adds;
   set_places(autopilot, out);
   set_stop(autopilot, out);

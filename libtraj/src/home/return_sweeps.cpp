@@ -188,7 +188,8 @@ class Return {
     low_ = std::max(own, base_ + climbs.least - model_.under);
     low_ = std::max(braking_.low, std::min(low_, ceiling - model_.under));
     top_ = std::max(base_ + climbs.most, braking_.high + model_.least_climb);
-    top_ = std::max(braking_.high, std::min(top_, ceiling));
+    if (model_.keeps_below_ceiling) top_ = std::min(top_, ceiling);
+    top_ = std::max(braking_.high, top_);
     if (sinks_to_descend()) low_ = std::min(low_, base_ + model_.cone.descend);
   }
 

@@ -28,6 +28,22 @@ TEST(ReturnModel, IsNotKnownWhereAnAutopilotMayLandElsewhere) {
   EXPECT_FALSE(return_model(autopilot).known);
 }
 
+TEST(ReturnModel, IsNotKnownWhereAnAutopilotClimbsToHoldBeforeItReturns) {
+  Autopilot autopilot = px4("1.11");
+  autopilot.climbs_to_hold = true;  // MIS_LTRMIN_ALT
+  EXPECT_FALSE(return_model(autopilot).known);
+}
+
+TEST(ReturnModel, KeepsBelowItsCeilingUnlessAnotherVersionDoesNot) {
+  Autopilot autopilot = ardupilot();
+  EXPECT_FALSE(return_model(autopilot).ceiling);
+  autopilot.fence.return_ceiling = 48;
+  EXPECT_EQ(return_model(autopilot).ceiling, 48);
+  EXPECT_TRUE(return_model(autopilot).keeps_below_ceiling);
+  autopilot.highest_item = 48;  // LNDMC_ALT_MAX
+  EXPECT_FALSE(return_model(autopilot).keeps_below_ceiling);
+}
+
 TEST(ReturnModel, ArduPilotLeavesFarRallyPointsOut) {
   EXPECT_EQ(return_model(ardupilot()).rally_limit, 300);
   EXPECT_FALSE(return_model(ardupilot()).rally_adds);

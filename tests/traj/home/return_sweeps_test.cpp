@@ -114,6 +114,22 @@ TEST(ReturnSweeps, StandOnTheGroundOnlyWhereTheyTouchIt) {
   }
 }
 
+TEST(ReturnSweeps, HoldBothHeightsWhereACeilingMayNotCount) {
+  FlightStage stage;
+  stage.where = {{100, 0, 20}};
+  ReturnModel model = return_model(ardupilot());
+  model.height = 60;
+  model.ceiling = 40;
+  const auto across = [&](double z) {
+    return holds(return_sweeps(model, stage, {{0, 0, 0}, 0}), {50, 0, z});
+  };
+  EXPECT_TRUE(across(40));
+  EXPECT_FALSE(across(60));
+  model.keeps_below_ceiling = false;
+  EXPECT_TRUE(across(40));
+  EXPECT_TRUE(across(60));
+}
+
 TEST(LongestSeconds, AreMoreThanTheWayTakes) {
   Random random(4);
   for (int i = 0; i < support::cases(300); ++i) {

@@ -47,6 +47,7 @@ struct ReturnModel {
   double slope = 0;        // height over distance of the cone in which it stays low; 0: none
   double low_within = 0;   // m from home within which it may stay low (DJI)
   std::optional<double> ceiling = {};  // m above home: it climbs no higher (a fence)
+  bool keeps_below_ceiling = true;     // false: it may climb higher, too
   ReturnCone cone = {};
   bool known = true;        // false: it may go where nobody knows (RTL_TYPE)
   bool rally_adds = false;  // `height` counts from a rally point; else from home

@@ -86,6 +86,8 @@ Autopilot ardupilot(std::string_view version) {
   out.fall = 10;
   out.terrain_spacing = 100;
   out.terrain_lag = 10;
+  // FENCE_ALT_MAX, FENCE_RADIUS and FENCE_MARGIN
+  out.switched_fence = {.top = 100, .bottom = {}, .across = 300, .return_ceiling = 98};
   set_drag(out, kUsualDrag);
   return out;
 }

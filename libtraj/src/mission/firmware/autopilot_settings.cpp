@@ -234,6 +234,21 @@ void take_overrides(const AutopilotSettings& settings, Autopilot& out) {
   }
 }
 
+// PX4 (MulticopterPositionControl::parameters_update) works out others from this one.
+void take_responsiveness(const AutopilotSettings& settings, std::string_view source,
+                         Autopilot& out) {
+  const auto found = settings.values.find("SYS_VEHICLE_RESP");
+  if (found == settings.values.end() || found->second < 0) return;
+  if (found->second > 1) {
+    refuse(source, {.key = "SYS_VEHICLE_RESP",
+                    .expected = "at most 1",
+                    .found = fmt::format("{:g}", found->second)});
+  }
+  const double share = found->second * found->second;
+  out.acceleration = std::lerp(1.0, 15.0, share);
+  out.jerk = std::lerp(1.0, 25.0, share);
+}
+
 void take_return_type(const AutopilotSettings& settings, SetAutopilot& out) {
   const auto type = settings.values.find("RTL_TYPE");
   if (type == settings.values.end()) {
@@ -243,10 +258,12 @@ void take_return_type(const AutopilotSettings& settings, SetAutopilot& out) {
   }
 }
 
-// A multicopter of 1.16 and later that waits before it lands descends as older ones always do.
+// A multicopter of 1.16 and later that waits before it lands descends as older ones always do. One
+// that waits for ever (below 0) does not land.
 void take_land_delay(const AutopilotSettings& settings, Autopilot& out) {
   const auto delay = settings.values.find("RTL_LAND_DELAY");
   if (delay != settings.values.end() && delay->second != 0) out.descends_aslant = true;
+  if (delay != settings.values.end() && delay->second < 0) out.returns_home = false;
 }
 
 void take_home_as_rally(const AutopilotSettings& settings, SetAutopilot& out) {
@@ -268,7 +285,12 @@ void take_unknown_ways(const AutopilotSettings& settings, Autopilot& out) {
       return found != settings.values.end() && found->second != 0;
     });
   };
-  out.keeps_to_legs = !any_on({"OA_TYPE", "COM_OBS_AVOID"});
+  const auto above_0 = [&](const char* name) {
+    const auto found = settings.values.find(name);
+    return found != settings.values.end() && found->second > 0;
+  };
+  out.keeps_to_legs = !any_on({"OA_TYPE", "COM_OBS_AVOID"}) && !above_0("NAV_MIN_GND_DIST");
+  out.climbs_to_hold = above_0("MIS_LTRMIN_ALT");
   out.lands_below = !any_on({"PLND_ENABLED"});
   if (any_on({"RTL_PLD_MD", "RTL_ALT_TYPE", "RTL_ALT_FINAL", "RTL_ALT_FINAL_M"}) ||
       !out.keeps_to_legs || !out.lands_below) {
@@ -289,6 +311,7 @@ void take_lost_links(const AutopilotSettings& settings, Autopilot& out) {
                                  {"NAV_DLL_ACT", 2, "COM_DLL_EXCEPT", 1},
                                  {"FS_THR_ENABLE", 1, "FS_OPTIONS", 1},
                                  {"FS_GCS_ENABLE", 1, "FS_OPTIONS", 2}};
+  constexpr double kNoSticks = 4;  // COM_RC_IN_MODE: PX4 has no remote control to lose
   const auto value = [&](const char* name) -> std::optional<double> {
     const auto found = settings.values.find(name);
     return found == settings.values.end() ? std::nullopt : std::optional(found->second);
@@ -296,6 +319,10 @@ void take_lost_links(const AutopilotSettings& settings, Autopilot& out) {
   bool said = false;
   bool returns = false;
   for (const LostLink& link : kLinks) {
+    if (link.action == kLinks[0].action && value("COM_RC_IN_MODE") == kNoSticks) {
+      said = true;
+      continue;
+    }
     const auto action = value(link.action);
     const double bits = std::clamp(value(link.exceptions).value_or(0), 0.0, 65535.0);
     const bool goes_on = (static_cast<unsigned>(bits) & link.bit) != 0;
@@ -312,31 +339,56 @@ void take_fence(const AutopilotSettings& settings, Autopilot& out) {
     const auto found = settings.values.find(name);
     return found == settings.values.end() ? usual : found->second;
   };
-  constexpr unsigned kHighest = 1;  // bit of FENCE_TYPE
+  constexpr unsigned kHighest = 1;  // bits of FENCE_TYPE
+  constexpr unsigned kCircle = 2;
+  constexpr unsigned kLowest = 8;
   const auto type = static_cast<unsigned>(std::clamp(value("FENCE_TYPE", 7), 0.0, 255.0));
   const bool enabled = value("FENCE_ENABLE", 0) != 0;
   const bool may_be = value("FENCE_AUTOENABLE", 0) != 0;  // by the firmware, in flight
-  out.rally_in_fence = enabled || may_be;
-  if (out.rally_in_fence && value("FENCE_ACTION", 1) != 0) {
-    constexpr unsigned kCircle = 2;
-    if ((type & kHighest) != 0) out.fence_top = value("FENCE_ALT_MAX", 100);
-    if ((type & kCircle) != 0) out.fence_across = value("FENCE_RADIUS", 300);
+  const bool acts = value("FENCE_ACTION", 1) != 0;
+  const auto set = [&](std::optional<double>& limit, unsigned bit, const char* name, double usual) {
+    limit = acts && (type & bit) != 0 ? std::optional(value(name, usual)) : std::nullopt;
+  };
+  ParameterFence& fence = out.switched_fence;
+  set(fence.top, kHighest, "FENCE_ALT_MAX", 100);
+  set(fence.bottom, kLowest, "FENCE_ALT_MIN", -10);
+  set(fence.across, kCircle, "FENCE_RADIUS", 300);
+  fence.return_ceiling.reset();
+  if ((type & kHighest) != 0) {
+    fence.return_ceiling = std::max(0.0, value("FENCE_ALT_MAX", 100) - value("FENCE_MARGIN", 2));
   }
-  if ((type & kHighest) == 0) return;
-  if (may_be && !enabled) out.returns_home = false;
-  if (!enabled) return;
-  out.return_ceiling = std::max(0.0, value("FENCE_ALT_MAX", 100) - value("FENCE_MARGIN", 2));
+  out.rally_in_fence = enabled || may_be;
+  if (!out.rally_in_fence) return;
+  out.fence = fence;
+  if (enabled || !fence.return_ceiling) return;
+  out.returns_home = false;
+  out.fence.return_ceiling.reset();
 }
 
 // PX4's, which does more than warn from an action of 2 on.
-void take_distances(const AutopilotSettings& settings, Autopilot& out) {
+void take_distances(const AutopilotSettings& settings, std::string_view source, Autopilot& out) {
   const auto value = [&](const char* name, double usual) {
     const auto found = settings.values.find(name);
     return found == settings.values.end() ? usual : found->second;
   };
+  // Until 1.14 an item that is higher is flown no higher (MissionBlock::mission_apply_limitation).
+  if (const double most = value("LNDMC_ALT_MAX", -1); most > 0) {
+    out.highest_item = most;
+    out.fence.return_ceiling = most;
+  }
   if (value("GF_ACTION", 2) < 2) return;
-  if (const double most = value("GF_MAX_VER_DIST", 0); most > 0) out.fence_top = most;
-  if (const double most = value("GF_MAX_HOR_DIST", 0); most > 0) out.fence_across = most;
+  if (value("GF_PREDICT", 0) != 0) {
+    const double across = std::max(value("MPC_ACC_HOR_MAX", 5), out.acceleration);
+    const double up = std::max(value("MPC_ACC_UP_MAX", 4), value("MPC_ACC_DOWN_MAX", 3));
+    const double slows = value("MPC_ACC_DOWN_MAX", 3);
+    if (!(across > 0 && up > 0 && slows > 0)) {
+      refuse(source, {.expected = "MPC_ACC_HOR_MAX, MPC_ACC_UP_MAX and MPC_ACC_DOWN_MAX above 0",
+                      .found = "0 or less"});
+    }
+    out.foresight = Foresight{across, up, slows};
+  }
+  if (const double most = value("GF_MAX_VER_DIST", 0); most > 0) out.fence.top = most;
+  if (const double most = value("GF_MAX_HOR_DIST", 0); most > 0) out.fence.across = most;
 }
 
 // How it follows terrain (AC_WPNav::get_terrain_offset): a rangefinder goes before its own terrain.
@@ -430,7 +482,8 @@ SetAutopilot set_autopilot(const AutopilotSettings& settings, const std::vector<
     take_cone(settings, source, out);
     take_return_type(settings, out);
     take_land_delay(settings, out.autopilot);
-    take_distances(settings, out.autopilot);
+    take_responsiveness(settings, source, out.autopilot);
+    take_distances(settings, source, out.autopilot);
   } else if (metres > 0 && centimetres > 0) {
     refuse(
         source,

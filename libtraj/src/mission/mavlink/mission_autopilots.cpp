@@ -43,6 +43,13 @@ const MissionItem* not_for_px4(const Mission& mission) {
 
 namespace {
 
+// PX4 loads no mission with such an item.
+void switch_fence_on(Autopilot& autopilot) {
+  if (autopilot.firmware != Firmware::ardupilot) return;
+  autopilot.fence = autopilot.switched_fence;
+  autopilot.rally_in_fence = true;
+}
+
 // Those that fly the first item. ArduPilot (AP_Mission::read_cmd_from_storage) has home in its
 // place.
 std::vector<Autopilot> flying_all(const Mission& mission, const MissionRules& rules,
@@ -61,9 +68,20 @@ std::vector<Autopilot> flying_all(const Mission& mission, const MissionRules& ru
 
 }  // namespace
 
+bool switches_fence_on(const Mission& mission) {
+  return std::any_of(mission.items.begin(), mission.items.end(), [](const MissionItem& item) {
+    // Cut to a whole number, 0 is off. Until 4.5 every other number is on; later 2 is off but for
+    // the lowest altitude (ModeAuto::start_command, AP_Mission::start_command_fence).
+    return item.command == kEnableFence && !(std::abs(item.param[0]) < 1);
+  });
+}
+
 std::vector<Autopilot> autopilots_that_load(const Mission& mission, const MissionRules& rules,
                                             std::string_view source) {
   std::vector<Autopilot> out = flying_all(mission, rules, source);
+  if (switches_fence_on(mission)) {
+    for (Autopilot& one : out) switch_fence_on(one);
+  }
   const MissionItem* const item = not_for_px4(mission);
   if (!item || out.empty()) return out;
   std::erase_if(out, [](const Autopilot& one) { return one.firmware == Firmware::px4; });
@@ -87,10 +105,13 @@ void require_legs_are_kept(const MissionRules& rules, std::string_view source) {
   for (const Autopilot& one : rules.autopilots) {
     if (one.keeps_to_legs) continue;
     throw geom::InputError(
-        source, {.expected = "an autopilot that keeps to the legs of a mission",
-                 .found = fmt::format("one that goes round obstacles ({} is not 0)",
-                                      one.firmware == Firmware::px4 ? "COM_OBS_AVOID" : "OA_TYPE"),
-                 .advice = "nobody knows which way it takes then"});
+        source,
+        {.expected = "an autopilot that keeps to the legs of a mission",
+         .found = one.firmware == Firmware::px4
+                      ? "one that goes round obstacles or stops its descents (COM_OBS_AVOID "
+                        "or NAV_MIN_GND_DIST is above 0)"
+                      : "one that goes round obstacles (OA_TYPE is not 0)",
+         .advice = "nobody knows which way it takes then"});
   }
 }
 
@@ -141,7 +162,7 @@ bool flown_by(Firmware firmware, const MissionRules& rules) {
 
 bool returns_below(const MissionRules& rules, double height) {
   return std::any_of(rules.autopilots.begin(), rules.autopilots.end(), [&](const Autopilot& one) {
-    return one.return_ceiling && *one.return_ceiling < height;
+    return one.fence.return_ceiling && *one.fence.return_ceiling < height;
   });
 }
 

@@ -18,8 +18,12 @@ const MissionItem* not_for_px4(const Mission& mission);
 
 bool counts_from_terrain(const MissionItem& item);
 
+// Whether an item of it (207) switches a fence on.
+bool switches_fence_on(const Mission& mission);
+
 // Those of the rules' autopilots that fly the mission as it is read here. Throws
-// geom::InputError(source, line, …) where that is none of them.
+// geom::InputError(source, line, …) where that is none of them. Their fences are those that the
+// mission switches on.
 std::vector<Autopilot> autopilots_that_load(const Mission& mission, const MissionRules& rules,
                                             std::string_view source);
 

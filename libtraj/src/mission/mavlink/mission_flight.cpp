@@ -468,6 +468,7 @@ FlownMavlink flown_mission(const Mission& mission, const MissionFrame& frame,
   MissionRules loading = rules;
   loading.autopilots = autopilots_that_load(mission, rules, source);
   FlownMavlink flown = Flight(mission, frame, loading, source).fly();
+  flown.switches_fence = switches_fence_on(mission);
   require_within_fence(flown, loading.autopilots, source);
   return flown;
 }

@@ -136,12 +136,37 @@ TEST(AutopilotSettings, SayWhatLeavesAMissionsWay) {
   EXPECT_FALSE(set("RTL_ALT,1500\nPLND_ENABLED,1\n").autopilot.lands_below);
 }
 
+TEST(AutopilotSettings, SayWhatStopsDescentsAndClimbsToHold) {
+  EXPECT_TRUE(set("NAV_ACC_RAD,2\nNAV_MIN_GND_DIST,-1\n").autopilot.keeps_to_legs);
+  EXPECT_FALSE(set("NAV_ACC_RAD,2\nNAV_MIN_GND_DIST,5\n").autopilot.keeps_to_legs);
+  EXPECT_FALSE(set("NAV_ACC_RAD,2\nNAV_MIN_LTR_ALT,40\n").autopilot.climbs_to_hold);
+  EXPECT_TRUE(set("NAV_ACC_RAD,2\nMIS_LTRMIN_ALT,40\n").autopilot.climbs_to_hold);
+  EXPECT_TRUE(set("NAV_ACC_RAD,2\nRTL_LAND_DELAY,5\n").autopilot.returns_home);
+  EXPECT_FALSE(set("NAV_ACC_RAD,2\nRTL_LAND_DELAY,-1\n").autopilot.returns_home)
+      << "it never lands";
+}
+
+TEST(AutopilotSettings, HaveTheAccelerationThatAResponseMakes) {
+  const Autopilot as_said = set("MPC_ACC_HOR,3\nSYS_VEHICLE_RESP,-0.4\n").autopilot;
+  EXPECT_EQ(as_said.acceleration, 3);
+  const Autopilot slow = set("MPC_ACC_HOR,3\nSYS_VEHICLE_RESP,0\n").autopilot;
+  EXPECT_EQ(slow.acceleration, 1);
+  EXPECT_EQ(slow.jerk, 1);
+  EXPECT_EQ(set("NAV_ACC_RAD,2\nSYS_VEHICLE_RESP,0.5\n").autopilot.acceleration, 4.5);
+}
+
+TEST(AutopilotSettings, KnowThatARemoteControlThatIsOffIsNotLost) {
+  EXPECT_TRUE(set("NAV_ACC_RAD,2\nNAV_RCL_ACT,2\nCOM_RC_IN_MODE,3\n").autopilot.returns_if_lost);
+  EXPECT_FALSE(set("NAV_ACC_RAD,2\nNAV_RCL_ACT,2\nCOM_RC_IN_MODE,4\n").autopilot.returns_if_lost);
+  EXPECT_TRUE(set("NAV_ACC_RAD,2\nNAV_DLL_ACT,2\nCOM_RC_IN_MODE,4\n").autopilot.returns_if_lost);
+}
+
 TEST(AutopilotSettings, SayHowHighAFenceLetsAReturnClimb) {
   const std::string height = "RTL_ALT,1500\nFENCE_ALT_MAX,50\nFENCE_MARGIN,3\n";
-  EXPECT_FALSE(set(height).autopilot.return_ceiling) << "it is off";
-  EXPECT_EQ(set(height + "FENCE_ENABLE,1\n").autopilot.return_ceiling, 47);
+  EXPECT_FALSE(set(height).autopilot.fence.return_ceiling) << "it is off";
+  EXPECT_EQ(set(height + "FENCE_ENABLE,1\n").autopilot.fence.return_ceiling, 47);
   EXPECT_TRUE(set(height + "FENCE_ENABLE,1\n").autopilot.rally_in_fence);
-  EXPECT_FALSE(set(height + "FENCE_ENABLE,1\nFENCE_TYPE,6\n").autopilot.return_ceiling);
+  EXPECT_FALSE(set(height + "FENCE_ENABLE,1\nFENCE_TYPE,6\n").autopilot.fence.return_ceiling);
   EXPECT_FALSE(set(height + "FENCE_AUTOENABLE,1\n").autopilot.returns_home);
 }
 

@@ -176,7 +176,7 @@ TEST(FlownMission, KnowsNoReturnThatAFenceKeepsLow) {
   Maker maker;
   maker.add(kWaypoint, {100, 0, 30}).just(kReturn);
   Autopilot pilot = ardupilot();
-  pilot.return_ceiling = 59;
+  pilot.fence.return_ceiling = 59;
   EXPECT_TRUE(maker.fly({.return_height = 60, .autopilots = {pilot}}).returns);
   EXPECT_FALSE(maker.fly({.return_height = 58, .autopilots = {pilot}}).returns);
 }

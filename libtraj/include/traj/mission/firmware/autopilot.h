@@ -36,6 +36,22 @@ struct Settling {
   double time = 0;
 };
 
+// A fence around home that parameters make, as far as it acts, m.
+struct ParameterFence {
+  std::optional<double> top;             // above home: FENCE_ALT_MAX, GF_MAX_VER_DIST
+  std::optional<double> bottom;          // likewise, once it was above that: FENCE_ALT_MIN
+  std::optional<double> across;          // from home: FENCE_RADIUS, GF_MAX_HOR_DIST
+  std::optional<double> return_ceiling;  // above home: a return climbs no higher
+};
+
+// The accelerations, m/s2, from which PX4 works out where it could stop: its fence acts where that
+// is beyond it (GF_PREDICT).
+struct Foresight {
+  double across = 0;    // at first: MPC_ACC_HOR_MAX
+  double up = 0;        // at first: MPC_ACC_UP_MAX, MPC_ACC_DOWN_MAX
+  double slows_up = 0;  // then: MPC_ACC_DOWN_MAX
+};
+
 // One firmware with its parameters. The defaults are those of the firmware's own code; the numbers
 // under "measured" come from flights of the firmware (docs/firmware.md says which hold which).
 struct Autopilot {
@@ -43,32 +59,36 @@ struct Autopilot {
   std::string name;  // in reports: "px4:1.11-1.17"
 
   // Parameters, SI.
-  double acceptance = 0;         // m: NAV_ACC_RAD, WPNAV_RADIUS
-  double height_acceptance = 0;  // m: NAV_MC_ALT_RAD; ArduPilot has none
-  double speed = 0;              // m/s where the file says none: MPC_XY_CRUISE, WPNAV_SPEED
-  double climb = 0;              // m/s at most: MPC_Z_V_AUTO_UP, WPNAV_SPEED_UP
-  double descent = 0;            // m/s at most: MPC_Z_V_AUTO_DN, WPNAV_SPEED_DN
-  double acceleration = 0;       // m/s2: MPC_ACC_HOR, WPNAV_ACCEL
-  double jerk = 0;               // m/s3: MPC_JERK_AUTO, WPNAV_JERK
-  double takeoff_height = 0;     // m above home, at least: MIS_TAKEOFF_ALT
-  double return_height = 0;      // m above home: RTL_RETURN_ALT, RTL_ALT
-  double return_climb = 0;       // m that a return climbs at least: RTL_CLIMB_MIN
-  double return_slope = 0;       // height over distance of the cone; 0: none. RTL_CONE_*
-  double return_near = 0;        // m from its place within which PX4's cone counts: RTL_MIN_DIST
-  double return_descend = 0;     // m above its place: RTL_DESCEND_ALT
-  bool descends_aslant = false;  // to return_descend, before it lands: PX4 until 1.15, and later
-                                 // ones that wait there (RTL_LAND_DELAY)
-  std::optional<double> return_ceiling;  // m above home that a return climbs to: FENCE_ALT_MAX
-  // m above home, and across from it, beyond which it leaves its mission: FENCE_ALT_MAX and
-  // FENCE_RADIUS, GF_MAX_VER_DIST and GF_MAX_HOR_DIST; none by default.
-  std::optional<double> fence_top;
-  std::optional<double> fence_across;
+  double acceptance = 0;          // m: NAV_ACC_RAD, WPNAV_RADIUS
+  double height_acceptance = 0;   // m: NAV_MC_ALT_RAD; ArduPilot has none
+  double speed = 0;               // m/s where the file says none: MPC_XY_CRUISE, WPNAV_SPEED
+  double climb = 0;               // m/s at most: MPC_Z_V_AUTO_UP, WPNAV_SPEED_UP
+  double descent = 0;             // m/s at most: MPC_Z_V_AUTO_DN, WPNAV_SPEED_DN
+  double acceleration = 0;        // m/s2: MPC_ACC_HOR, WPNAV_ACCEL
+  double jerk = 0;                // m/s3: MPC_JERK_AUTO, WPNAV_JERK
+  double takeoff_height = 0;      // m above home, at least: MIS_TAKEOFF_ALT
+  double return_height = 0;       // m above home: RTL_RETURN_ALT, RTL_ALT
+  double return_climb = 0;        // m that a return climbs at least: RTL_CLIMB_MIN
+  double return_slope = 0;        // height over distance of the cone; 0: none. RTL_CONE_*
+  double return_near = 0;         // m from its place within which PX4's cone counts: RTL_MIN_DIST
+  double return_descend = 0;      // m above its place: RTL_DESCEND_ALT
+  bool descends_aslant = false;   // to return_descend, before it lands: PX4 until 1.15, and later
+                                  // ones that wait there (RTL_LAND_DELAY)
+  ParameterFence fence;           // beyond which it leaves its mission; none by default
+  ParameterFence switched_fence;  // what an item of the mission (207) makes of that
+  std::optional<Foresight> foresight;  // its fence acts early: GF_PREDICT; not by default
+  // m above home: it flies an item that is higher no higher than this. PX4 until 1.14:
+  // LNDMC_ALT_MAX.
+  std::optional<double> highest_item;
   double rally_limit = 0;       // m: home if every rally point is further; 0: none. RALLY_LIMIT_KM
   bool home_is_a_place = true;  // of which the nearest counts; else a last resort. RALLY_INCL_HOME
   bool rally_in_fence = false;  // it leaves out rally points outside of its fence: FENCE_ENABLE
   bool rally_adds = false;      // to a rally point it returns so high above that point
   bool returns_home = true;     // false: nobody knows where a return goes (RTL_TYPE, OA_TYPE, ...)
-  bool keeps_to_legs = true;  // false: it goes round obstacles as it likes (OA_TYPE, COM_OBS_AVOID)
+  bool climbs_to_hold = false;  // if it is lower than MIS_LTRMIN_ALT (PX4 until 1.13)
+  // False: it goes round obstacles, or does not sink as it is told (OA_TYPE, COM_OBS_AVOID,
+  // NAV_MIN_GND_DIST).
+  bool keeps_to_legs = true;
   bool returns_if_lost = true;  // false: parameters say that no lost link makes it return
   bool lands_below = true;      // false: it lands beside a beacon (PLND_ENABLED)
 

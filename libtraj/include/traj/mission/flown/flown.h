@@ -71,6 +71,7 @@ struct FlownMission : FlownLegs {
   std::optional<Vec3> home;   // as assumed: in the file, or under the first point
   bool ends_at_home = false;  // ends with a return to home, at a height that no file says
   bool counts_from_flat_ground = false;  // a height of it does (MissionRules::ground)
+  bool switches_fence = false;           // an item of it switches ArduPilot's fence on
   bool returns = false;                  // ends with a return to home, by a way that is not known
   std::size_t idle_items = 0;            // that move nothing
   std::size_t endless_jumps = 0;         // jumps for ever: their loops are looked at flown twice
