@@ -40,10 +40,19 @@ std::string px4_parameters(const Autopilot& autopilot) {
   file.real("RTL_LAND_DELAY", 0);  // lands
   file.whole("NAV_DLL_ACT", 2);    // the ground station is lost: return
   file.whole("NAV_RCL_ACT", 2);    // the remote control is lost: return
+  // In missions, too.
+  if (autopilot.name != "px4:1.11") file.whole("COM_RCL_EXCEPT", 0);
+  if (autopilot.name == "px4:1.17") file.whole("COM_DLL_EXCEPT", 0);
   return file.text();
 }
 
 bool counts_in_metres(const Autopilot& autopilot) { return autopilot.name == "ardupilot:4.7"; }
+
+// The mission's fences, and those of the autopilot that it was proved with: by default it would
+// have others, 100 m above home and 300 m from it.
+int fence_types(const ParameterFence& fence) {
+  return 4 + (fence.top ? 1 : 0) + (fence.across ? 2 : 0) + (fence.bottom ? 8 : 0);
+}
 
 std::string ardupilot_parameters(const Autopilot& autopilot, const ReturnParameters& what) {
   const bool metres = counts_in_metres(autopilot);
@@ -59,7 +68,10 @@ std::string ardupilot_parameters(const Autopilot& autopilot, const ReturnParamet
   add("FS_GCS_ENABLE", 1);  // the ground station is lost: return
   add("FS_THR_ENABLE", 1);  // the remote control is lost: return
   add("FS_OPTIONS", 0);     // in missions, too
-  if (what.fenced) add("FENCE_ENABLE", 1);
+  if (what.fenced) {
+    add("FENCE_ENABLE", 1);
+    add("FENCE_TYPE", fence_types(autopilot.fence));
+  }
   return text;
 }
 

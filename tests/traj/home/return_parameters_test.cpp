@@ -38,6 +38,11 @@ TEST(ReturnParameters, AreArdupilotsInCentimetresOrMetres) {
 TEST(ReturnParameters, TurnFencesOnWhereThereAreAny) {
   EXPECT_FALSE(read(return_parameters(ardupilot(), {})).values.contains("FENCE_ENABLE"));
   EXPECT_EQ(read(return_parameters(ardupilot(), {.fenced = true})).values.at("FENCE_ENABLE"), 1);
+  EXPECT_EQ(read(return_parameters(ardupilot(), {.fenced = true})).values.at("FENCE_TYPE"), 4)
+      << "its own would end 100 m above home";
+  Autopilot low = ardupilot();
+  low.fence.top = 50;
+  EXPECT_EQ(read(return_parameters(low, {.fenced = true})).values.at("FENCE_TYPE"), 5);
 }
 
 TEST(HeightAsSet, IsAWholeCentimetreOfArdupilotAndNoLower) {
@@ -45,6 +50,17 @@ TEST(HeightAsSet, IsAWholeCentimetreOfArdupilotAndNoLower) {
   EXPECT_EQ(height_as_set(ardupilot("4.7"), 47.3333), 47.3333);
   EXPECT_EQ(height_as_set(ardupilot("4.6"), 47.3333), 47.34);
   EXPECT_EQ(height_as_set(ardupilot("4.6"), 47.3), 47.3);
+}
+
+TEST(ReturnParameters, MakeALostLinkEndMissionsToo) {
+  const auto has = [&](const char* version, const char* name) {
+    return read(return_parameters(px4(version), {})).values.contains(name);
+  };
+  EXPECT_FALSE(has("1.11", "COM_RCL_EXCEPT"));
+  EXPECT_TRUE(has("1.12", "COM_RCL_EXCEPT"));
+  EXPECT_FALSE(has("1.16", "COM_DLL_EXCEPT"));
+  EXPECT_TRUE(has("1.17", "COM_DLL_EXCEPT"));
+  EXPECT_TRUE(has("", "COM_RCL_EXCEPT"));
 }
 
 }  // namespace
