@@ -23,4 +23,10 @@ LoadedLibrary::Function LoadedLibrary::function(const char* name) const {
   throw std::runtime_error(fmt::format("{} has no {}: it is of another version", file_, name));
 }
 
+// The system looks at the program and what it was linked with first.
+LoadedLibrary::Function LoadedLibrary::used_function(const char* name) const {
+  void* const of_program = dlsym(RTLD_DEFAULT, name);
+  return Function(of_program ? of_program : dlsym(handle_, name));
+}
+
 }  // namespace geom

@@ -36,4 +36,6 @@ void WatchedMemory::require_enough() const {
   if (failed != failed_before_) throw std::bad_alloc();
 }
 
+void note_failed_allocation() noexcept { ++failed; }
+
 }  // namespace geom

@@ -7,8 +7,8 @@
 
 namespace geom {
 
-// While one lives, failed allocations of C++ code are counted, of all threads. Failed allocations
-// of C code are not counted.
+// While one lives, failed allocations of C++ code are counted, of all threads. Those of C code are
+// counted where the library tells of them (note_failed_allocation).
 class WatchedMemory {
  public:
   WatchedMemory();
@@ -22,5 +22,8 @@ class WatchedMemory {
  private:
   unsigned long failed_before_;
 };
+
+// Counts an allocation that failed in C code.
+void note_failed_allocation() noexcept;
 
 }  // namespace geom

@@ -4,12 +4,14 @@
 
 #include <proj.h>
 
+#include "base/watched_sqlite.h"
 #include "geom/base/loaded_library.h"
 
 namespace geom {
 
 struct ProjLibrary {
   LoadedLibrary library;
+  bool watches_sqlite = watch_sqlite(library);
   SKYWAY_LOADED(context_create, proj_context_create);
   SKYWAY_LOADED(context_destroy, proj_context_destroy);
   SKYWAY_LOADED(enable_network, proj_context_set_enable_network);

@@ -201,10 +201,12 @@ std::optional<double> ProjReference::unit() const {
 }
 
 bool ProjReference::north_first() const {
+  const WatchedMemory memory;
   PJ_CONTEXT* const context = impl_->context.get();
   const ProjObject x_first(proj().normalize(context, impl_->own.get()));
   const auto own = axis_of(context, impl_->own.get(), 0);
   const auto x = x_first ? axis_of(context, x_first.get(), 0) : std::nullopt;
+  memory.require_enough();
   return own && x && own->name != x->name;
 }
 

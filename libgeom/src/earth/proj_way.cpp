@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -27,6 +28,32 @@ std::string steps_of(PJ_CONTEXT* context, const PJ* operation) {
   return steps.starts_with("+proj=pipeline") ? steps : "+proj=pipeline +step " + steps;
 }
 
+// To longitude and latitude; null where PROJ knows no way.
+ProjObject search(PJ_CONTEXT* context, const PJ* from) {
+  const WatchedProj watched(context);
+  const ProjObject earth(proj().create(context, "EPSG:4326"));
+  const char* const options[] = {"ALLOW_BALLPARK=NO", nullptr};
+  const ProjObject way(earth ? proj().way(context, from, earth.get(), nullptr, options) : nullptr);
+  ProjObject out(way ? proj().normalize(context, way.get()) : nullptr);
+  watched.require_none();
+  return out;
+}
+
+// Places of the whole Earth, or of the area that a system is meant for, by the way back.
+std::vector<Vec2> sample_of(PJ* way, const std::optional<ProjReference::Area>& area) {
+  constexpr int kSide = 48;
+  const auto [west, south, east, north] = area.value_or(ProjReference::Area{-180, -90, 180, 90});
+  const double width = east < west ? east + 360 - west : east - west;
+  std::vector<Vec2> out;
+  for (int i = 0; i < kSide * kSide; ++i) {
+    out.emplace_back(west + width * (i % kSide + 0.5) / kSide,
+                     south + (north - south) * (i / kSide + 0.5) / kSide);
+  }
+  proj().transform(way, PJ_INV, out.data()->data(), sizeof(Vec2), out.size(),
+                   out.data()->data() + 1, sizeof(Vec2), out.size(), nullptr, 0, 0, nullptr, 0, 0);
+  return out;
+}
+
 }  // namespace
 
 struct ProjWay::Impl {
@@ -42,6 +69,24 @@ struct ProjWay::Impl {
     if (plane) convert(plane.get(), x, count, stride, direction);
     if (direction == PJ_INV) convert(first, x, count, stride, direction);
     memory.require_enough();
+  }
+
+  // Searches once more, with a context that has seen nothing yet. Throws std::bad_alloc where PROJ
+  // finds another way: it takes a failure of SQLite for an empty answer.
+  static void require_found_again(const ProjReference& known) {
+    const std::optional<ProjReference> fresh = ProjReference::of(known.told().crs);
+    if (!fresh) throw std::bad_alloc();
+    const ProjObject again = search(fresh->impl_->context.get(), fresh->impl_->plane.get());
+    PJ* const way = known.impl_->to_places.get();
+    if (!way && !again) return;
+    if (!way || !again) throw std::bad_alloc();
+    const auto area = fresh->area();
+    const std::vector<Vec2> points = sample_of(way, area);
+    const std::vector<Vec2> others = sample_of(again.get(), area);
+    const bool same = std::equal(
+        points.begin(), points.end(), others.begin(),
+        [](const Vec2& a, const Vec2& b) { return a == b || (!a.allFinite() && !b.allFinite()); });
+    if (!same) throw std::bad_alloc();
   }
 
  private:
@@ -61,14 +106,9 @@ std::optional<ProjWay> ProjWay::to_places(const ProjReference& from) {
   ProjReference::Impl& known = *from.impl_;
   if (!known.searched && from.places()) {
     PJ_CONTEXT* const context = known.context.get();
-    const WatchedProj watched(context);
-    const ProjObject earth(proj().create(context, "EPSG:4326"));
-    const char* const options[] = {"ALLOW_BALLPARK=NO", nullptr};
-    const ProjObject way(
-        earth ? proj().way(context, known.plane.get(), earth.get(), nullptr, options) : nullptr);
-    if (way) known.to_places.reset(proj().normalize(context, way.get()));
-    watched.require_none();
+    known.to_places = search(context, known.plane.get());
     known.chooses = known.to_places && steps_of(context, known.to_places.get()).empty();
+    if (!proj().watches_sqlite) Impl::require_found_again(from);
   }
   known.searched = true;
   if (!known.to_places) return std::nullopt;

@@ -9,12 +9,14 @@
 #include <ogr_api.h>
 #include <ogr_srs_api.h>
 
+#include "base/watched_sqlite.h"
 #include "geom/base/loaded_library.h"
 
 namespace geom::gis {
 
 struct GdalLibrary {
   LoadedLibrary library;
+  bool watches_sqlite = watch_sqlite(library);
   SKYWAY_LOADED(all_register, GDALAllRegister);
   SKYWAY_LOADED(last_error, CPLGetLastErrorMsg);
   SKYWAY_LOADED(last_error_type, CPLGetLastErrorType);

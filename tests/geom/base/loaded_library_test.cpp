@@ -35,5 +35,14 @@ TEST(LoadedLibrary, NamesAFunctionThatIsNotThere) {
   }
 }
 
+TEST(LoadedLibrary, GivesFunctionsOfLibrariesThatItUses) {
+  const LoadedLibrary math("libm.so.6", "libc6");
+  unsigned long (*const length)(const char*) = math.used_function("strlen");
+  ASSERT_TRUE(length);
+  EXPECT_EQ(length("four"), 4u);
+  void (*const none)() = math.used_function("no_such_function");
+  EXPECT_FALSE(none);
+}
+
 }  // namespace
 }  // namespace geom

@@ -33,6 +33,9 @@ class LoadedLibrary {
   // Throws std::runtime_error if the library has no such function.
   Function function(const char* name) const;
 
+  // A function of a library that this one uses, as this one finds it. Null if there is none.
+  Function used_function(const char* name) const;
+
  private:
   const char* file_;
   void* handle_;
