@@ -7,6 +7,7 @@
 #include <set>
 
 #include "geom/base/error.h"
+#include "geom/record/axes_comment.h"
 #include "geom/text/excerpt.h"
 #include "geom/text/text_table.h"
 #include "text/unit_comment.h"
@@ -25,6 +26,14 @@ bool is_header(const std::vector<std::string>& fields) {
          without_unit(fields[fields.size() - 2]) == "y" && without_unit(fields.back()) == "z";
 }
 
+// The metres in the unit that a comment names, also as "all in feet".
+std::optional<double> unit_in(std::string_view comment) {
+  if (const auto unit = unit_of_comment(comment)) return unit;
+  const std::size_t in = comment.find(" in ");
+  if (in == comment.npos) return std::nullopt;
+  return unit_of_comment(fmt::format("unit:{}", comment.substr(in + 3)));
+}
+
 // A word, as names of columns are.
 bool is_name(const std::string& field) {
   return !field.empty() && std::isalpha(static_cast<unsigned char>(field.front())) &&
@@ -38,11 +47,12 @@ bool is_measured(const std::string& id) {
 
 class Table {
  public:
-  explicit Table(TextLines& lines) : lines_(lines) {}
+  Table(TextLines& lines, Axes axes) : lines_(lines), axes_(axes), of_rows_{axes} {}
 
-  // One before the points. It may name a unit, or the columns as numpy.savetxt() does.
+  // One before the points. It may name a unit, axes, or the columns as numpy.savetxt() does.
   void take_comment(std::string_view text) {
-    const auto unit = unit_of_comment(text);
+    if (const auto named = axes_of_comment(text)) take_axes(*named, text);
+    const auto unit = unit_in(text);
     if (unit && *unit != 1) {
       lines_.refuse(
           {.expected = "coordinates in metres",
@@ -82,7 +92,8 @@ class Table {
     const auto at = [&](std::size_t i, const char* name) {
       return coordinate(lines_, name, fields[columns_ - 3 + i]);
     };
-    paths_.back().points.push_back({at(0, "x"), at(1, "y"), at(2, "z")});
+    const Vec3 point{at(0, "x"), at(1, "y"), at(2, "z")};
+    paths_.back().points.push_back(in_axes(axes_, of_rows_, point));
   }
 
   std::vector<PathRecord> paths() && {
@@ -91,6 +102,17 @@ class Table {
   }
 
  private:
+  void take_axes(const CommentedAxes& named, std::string_view text) {
+    const bool again =
+        axes_named_ && (named.axes != of_rows_.axes || named.downwards != of_rows_.downwards);
+    if (!named.axes || again) {
+      lines_.refuse(
+          not_these_axes(text, again ? "axes that are named once" : "axes enu, neu or ned"));
+    }
+    of_rows_ = named;
+    axes_named_ = true;
+  }
+
   // A first column that counts rows or is a time makes a path of each point. One that is a time or
   // a coordinate makes paths of points that come together by chance.
   void refuse_other_ids() const {
@@ -130,6 +152,9 @@ class Table {
   }
 
   TextLines& lines_;
+  Axes axes_;              // of the map
+  CommentedAxes of_rows_;  // known
+  bool axes_named_ = false;
   std::size_t columns_ = 0;
   bool begun_ = false;  // past the comments
   bool named_ = false;  // the columns, by a header
@@ -139,9 +164,9 @@ class Table {
 
 }  // namespace
 
-std::vector<PathRecord> read_path_csv(std::istream& in, std::string_view source) {
+std::vector<PathRecord> read_path_csv(std::istream& in, std::string_view source, Axes axes) {
   TextLines lines(in, source, true);
-  Table table(lines);
+  Table table(lines, axes);
   while (lines.next()) {
     if (in.eof())
       lines.refuse({.expected = "a line that ends with LF",

@@ -11,6 +11,7 @@
 
 #include "geojson_queries.h"
 #include "geom/base/error.h"
+#include "geom/record/axes_comment.h"
 #include "geom/text/excerpt.h"
 #include "geom/text/json_fields.h"
 #include "geom/text/parse_json.h"
@@ -293,6 +294,32 @@ std::vector<PlanQuery> read_geojson(TextLines& lines, const Locator* locator) {
   return queries;
 }
 
+// The axes that comments before the queries name, for all of them.
+class CommentedFrame {
+ public:
+  void take(const TextLines& lines) {
+    const auto named = axes_of_comment(lines.line());
+    if (!named) return;
+    if (!named->axes || named->downwards || (frame_ && frame_ != named->axes)) {
+      lines.refuse(not_these_axes(lines.line(), "places in the axes of the map, enu or neu"));
+    }
+    frame_ = named->axes;
+  }
+
+  void add_to(PlanQuery& query, const TextLines& lines) const {
+    if (!frame_) return;
+    if (query.asked_of.frame.value_or(*frame_) != *frame_) {
+      lines.refuse({.key = "frame",
+                    .expected = fmt::format("{}, as a comment names it", name(*frame_)),
+                    .found = std::string(name(*query.asked_of.frame))});
+    }
+    query.asked_of.frame = frame_;
+  }
+
+ private:
+  std::optional<Axes> frame_;
+};
+
 }  // namespace
 
 std::vector<Vec3> ends_in_metres(const PlanQuery& query) {
@@ -304,13 +331,18 @@ std::vector<Vec3> ends_in_metres(const PlanQuery& query) {
 
 std::vector<PlanQuery> read_plan_queries(std::istream& in, std::string_view source,
                                          const Locator* locator) {
-  TextLines lines(in, source);
+  TextLines lines(in, source, true);
+  CommentedFrame frame;
   std::vector<PlanQuery> queries;
   std::optional<CsvQueries> csv;
   std::set<std::string> ids;
   while (lines.next()) {
     if (lines.line().empty()) continue;
     if (queries.empty() && !csv) {
+      if (lines.line().starts_with('#')) {
+        frame.take(lines);
+        continue;
+      }
       if (looks_like_geojson(lines.line())) return read_geojson(lines, locator);
       if (!lines.line().starts_with('{')) {
         csv.emplace(lines);
@@ -319,6 +351,7 @@ std::vector<PlanQuery> read_plan_queries(std::istream& in, std::string_view sour
     }
     queries.push_back(csv ? csv->parse(lines, locator) : parse_line(lines, locator));
     queries.back().line = lines.number();
+    frame.add_to(queries.back(), lines);
     if (!ids.insert(queries.back().id).second) {
       lines.refuse(
           {.expected = "each id once", .found = fmt::format("\"{}\" again", queries.back().id)});

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "geom/base/error.h"
+#include "geom/record/axes_comment.h"
 #include "geom/text/csv_field.h"
 #include "geom/text/number.h"
 #include "geom/text/text_table.h"
@@ -233,6 +234,18 @@ FlightSample parse(Row& row, const geom::TextLines& lines) {
   return s;
 }
 
+// The first line behind comments, which may name no axes but those of the header.
+bool next_no_comment(geom::TextLines& lines) {
+  while (lines.next()) {
+    if (!lines.line().starts_with('#')) return true;
+    const auto named = geom::axes_of_comment(lines.line());
+    if (!named || (named->axes == geom::Axes::enu && !named->downwards)) continue;
+    lines.refuse(
+        geom::not_these_axes(lines.line(), "east, north and up, as the header names them"));
+  }
+  return false;
+}
+
 }  // namespace
 
 FlightSample nothing_known() {
@@ -258,8 +271,8 @@ void write_flight_log(std::ostream& out, std::span<const FlightLog> logs) {
 }
 
 std::vector<FlightLog> read_flight_log(std::istream& in, std::string_view name) {
-  geom::TextLines lines(in, name);
-  const auto columns = lines.next() ? columns_of(lines.line()) : std::nullopt;
+  geom::TextLines lines(in, name, true);
+  const auto columns = next_no_comment(lines) ? columns_of(lines.line()) : std::nullopt;
   if (!columns) {
     lines.refuse({.expected = fmt::format("the header {}", header()),
                   .found = geom::in_quotes(lines.line().substr(0, 80))});

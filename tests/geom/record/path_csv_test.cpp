@@ -75,5 +75,21 @@ TEST(PathCsv, ReadsColumnsAndUnitsInAComment) {
             "\"# units: feet\": convert the coordinates to metres, and leave the comment out");
 }
 
+TEST(PathCsv, TakesPointsInTheAxesThatACommentNames) {
+  EXPECT_EQ(read("# frame: ned\n1,2,-3\n").front().points, (Polyline{{2, 1, 3}}));
+  EXPECT_EQ(read("# ENU\n1,2,3\n").front().points, (Polyline{{1, 2, 3}}));
+  const auto on_neu = [](const char* text) {
+    return read_path_csv(support::Text(text), "p.csv", Axes::neu).front().points;
+  };
+  EXPECT_EQ(on_neu("# NED\n1,2,-3\n"), (Polyline{{1, 2, 3}}));
+  EXPECT_EQ(on_neu("# frame: enu\n1,2,3\n"), (Polyline{{2, 1, 3}}));
+  EXPECT_EQ(on_neu("1,2,3\n"), (Polyline{{1, 2, 3}}));
+  EXPECT_EQ(refusal("# FLU\n1,2,3\n"),
+            "p.csv:1: expected axes enu, neu or ned, found a comment that names other axes, "
+            "\"# FLU\": convert the coordinates, or leave the comment out if it is wrong");
+  EXPECT_NE(refusal("# NED\n# ENU\n1,2,3\n"), "");
+  EXPECT_NE(refusal("# all in feet\n1,2,3\n"), "");
+}
+
 }  // namespace
 }  // namespace geom

@@ -102,6 +102,20 @@ TEST(PlanQueries, SayWhatTheyAreAskedOf) {
   EXPECT_FALSE(rows[1].asked_of.margin);
 }
 
+TEST(PlanQueries, AreAskedOfTheAxesThatACommentNames) {
+  const auto read = [](const std::string& text) {
+    return read_plan_queries(support::Text(text), "q");
+  };
+  const std::string csv = "id,from_x,from_y,from_z,to_x,to_y,to_z\na,1,1,1,2,2,2\n";
+  EXPECT_EQ(read("# frame: neu\n" + csv)[0].asked_of.frame, Axes::neu);
+  EXPECT_EQ(read("#\n\n# made by hand\n" + csv)[0].asked_of.frame, std::nullopt);
+  EXPECT_NE(support::refusal_of([&] { read("# NED\n" + csv); }), "");
+  const std::string json = R"({"from":[1,1,1],"to":[2,2,2],"frame":"neu"})"
+                           "\n";
+  EXPECT_EQ(read("# NEU\n" + json)[0].asked_of.frame, Axes::neu);
+  EXPECT_NE(support::refusal_of([&] { read("# ENU\n" + json); }), "");
+}
+
 TEST(PlanQueries, RefuseAColumnThatComesTwiceAndTwoPlacesOfOneEnd) {
   for (const char* head :
        {"id,from_x,from_y,from_z,to_x,to_y,to_z,to_z", "id,from_x,from_y,from_z,to_x,to_y,to_z,id",

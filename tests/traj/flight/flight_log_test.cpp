@@ -120,6 +120,12 @@ TEST(FlightLog, RefusesWhatIsNotOne) {
   EXPECT_TRUE(says(refusal(kHeader + saturated), "saturated must be a number from 0 to 1"));
 }
 
+TEST(FlightLog, RefusesACommentThatNamesOtherAxes) {
+  const std::string text = text_of({{"q", "sha256:a", {FlightSample{}}}});
+  EXPECT_EQ(read("# of Monday\n# ENU\n" + text).size(), 1u);
+  EXPECT_TRUE(says(refusal("# frame: ned\n" + text), "log.csv:1: expected east, north and up, "));
+}
+
 TEST(FlightLog, RefusesIdsThatWouldNotComeBack) {
   for (const char* id : {"a\nb", " a", "a\t"}) {
     std::ostringstream out;

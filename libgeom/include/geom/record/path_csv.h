@@ -11,18 +11,22 @@
 #include <string_view>
 #include <vector>
 
+#include "geom/map/frame.h"
 #include "geom/record/record.h"
 
 namespace geom {
 
-// A point a row in the map's axes, metres: columns id,x,y,z, or x,y,z for one path of the id
+// A point a row in the map's `axes`, metres, or in those that a comment names ("# frame: ned",
+// axes_comment.h), which become the map's: columns id,x,y,z, or x,y,z for one path of the id
 // "path". A header naming them is optional, and its names may end in _m. Rows of an id stand
 // together. Comments may come first; one may be that header. The records are found paths without
 // provenance. Throws InputError(source, line, …) for other columns, a coordinate that is no finite
 // number within 1e8 m, an id that comes again later, an empty table, several paths that all have
 // one point (the first column may count rows, or be a time), ids such as 0.5 without a header (they
-// may be times or coordinates), a comment that names other columns or another unit, and a last line
+// may be times or coordinates), a comment that names other columns, another unit or axes that
+// are not ENU, NEU or NED, and a last line
 // without its end, which may have lost digits.
-std::vector<PathRecord> read_path_csv(std::istream& in, std::string_view source);
+std::vector<PathRecord> read_path_csv(std::istream& in, std::string_view source,
+                                      Axes axes = Axes::enu);
 
 }  // namespace geom

@@ -40,10 +40,11 @@ std::vector<Vec3> ends_in_metres(const PlanQuery& query);
 // SET-ID. The key "best_known", or the column best_known_m (a field may be empty), must be > 0. The
 // keys "epoch", "start", "earliest" and "latest", or the columns epoch, start_s, earliest_s and
 // latest_s (a field may be empty), say when it begins (flight_time.h). The keys "map", "frame",
-// "vehicle" and "margin" of JSON Lines, and the column margin, are kept in `asked_of`: whoever
-// answers compares them (require_asked_of()).
-// Throws InputError(source, line, …) at the first malformed line, for an id that comes
-// twice, for a column of these that comes twice, and for a stream without queries.
+// "vehicle" and "margin" of JSON Lines, the column margin, and
+// the axes that a comment before the queries names ("# frame: neu"), are kept in `asked_of`:
+// whoever answers compares them (require_asked_of()). Throws InputError(source, line, …) at the
+// first malformed line, for an id that comes twice, for a column of these that comes twice, and for
+// a stream without queries.
 //
 // Places may be on Earth: a text that parse_place() takes in place of [x,y,z]; columns
 // from_latitude, from_longitude, from_height, to_latitude, … in place of from_x, …; or GeoJSON, of

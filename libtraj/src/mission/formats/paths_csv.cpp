@@ -10,7 +10,7 @@ namespace {
 
 ReadFlights read(std::istream& in, const ReadTask& task) {
   ReadFlights out;
-  for (geom::PathRecord& record : geom::read_path_csv(in, task.source)) {
+  for (geom::PathRecord& record : geom::read_path_csv(in, task.source, task.frame.axes)) {
     out.ids.push_back(std::move(record.id));
     out.flights.push_back({FlownLegs{to_enu(task.frame.axes, std::move(record.points))}});
   }
