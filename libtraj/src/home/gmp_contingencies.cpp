@@ -1,10 +1,15 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "geom/base/error.h"
 #include "geom/base/precondition.h"
+#include "geom/record/flight_time.h"
 #include "gmp_solid.h"
 #include "traj/home/contingency_proof.h"
+#include "traj/proof/domain.h"
 
 namespace traj {
 namespace {
@@ -269,6 +274,53 @@ Refused left_out(std::span<const FlightStage> stages, std::span<const ProvedWay>
   return Refusal{Reason::return_home, reached, stages.front().where.front()};
 }
 
+void require_prism(const Prism& prism) {
+  for (const Vec3& corner : corners(prism)) geom::require_point("a region", corner);
+}
+
+void require_times(const char* what, double from, double until) {
+  if (from <= until && std::abs(from) <= geom::kLargestTime &&
+      std::abs(until) <= geom::kLargestTime) {
+    return;
+  }
+  throw geom::InputError(
+      what, {.expected = fmt::format("times that grow, within {:g} s", geom::kLargestTime),
+             .found = fmt::format("{} to {}", from, until)});
+}
+
+void require_numbers(const FlightStage& stage) {
+  require_times("a stage", stage.from, stage.until);
+  for (const Vec3& p : stage.where) geom::require_point("a stage", p);
+  if (!stage.curve) return;
+  if (const auto outside = outside_domain(Trajectory{{*stage.curve}}, {})) {
+    throw geom::InputError("a stage", {.key = std::string(name(outside->reason)),
+                                       .expected = "a number that a check can judge",
+                                       .found = fmt::to_string(outside->value)});
+  }
+}
+
+void require_numbers(const ProvedWay& way) {
+  for (const Vec3& p : way.record.points) geom::require_point("a way home", p);
+  for (const Prism& prism : way.beyond) require_prism(prism);
+  for (const ProvedJoin& join : way.joins) {
+    require_times("a join of a way home", join.from, join.until);
+    for (const Vec3& p : join.where) geom::require_point("a join of a way home", p);
+    require_prism(join.braking);
+    require_prism(join.beyond);
+  }
+}
+
+// A comparison with what is not a number would keep ways clear, and their times covered.
+void require_numbers(const ExactTask& task, std::span<const FlightStage> stages,
+                     std::span<const ProvedWay> ways) {
+  for (const double half : task.vehicle.half) {
+    geom::require_length("half of the vehicle", half, geom::kLargestCoordinate);
+  }
+  geom::require_length("margin", task.margin, geom::kLargestCoordinate);
+  for (const FlightStage& stage : stages) require_numbers(stage);
+  for (const ProvedWay& way : ways) require_numbers(way);
+}
+
 }  // namespace
 
 ExactResult check_exactly(const ExactTask& task, std::span<const FlightStage> stages,
@@ -279,6 +331,7 @@ ExactResult check_exactly(const ExactTask& task, std::span<const FlightStage> st
     out.reason = Reason::no_path;
     return out;
   }
+  require_numbers(task, stages, ways);
   const Ways exact(task, stages, ways);
   for (const ProvedWay& way : ways) {
     if (!refused) refused = exact.refusal(way);

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <nlohmann/json.hpp>
 
+#include "geom/base/error.h"
 #include "support/random_city.h"
 #include "traj/home/home_case.h"
 #include "traj/home/home_flight.h"
@@ -83,6 +85,20 @@ TEST(CheckContingenciesExactly, RefusesATimeWithoutAWay) {
   Case none;
   none.ways.clear();
   EXPECT_EQ(none.exact().reason, Reason::return_home);
+}
+
+TEST(CheckContingenciesExactly, RefusesWhatIsNoNumber) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto throws = [](const auto& change) {
+    Case c;
+    change(c);
+    EXPECT_THROW(c.exact(), geom::InputError);
+  };
+  throws([&](Case& c) { c.ways.front().joins.front().from = nan; });
+  throws([&](Case& c) { c.ways.front().joins.front().beyond.high = nan; });
+  throws([&](Case& c) { c.ways.front().record.points.front().x() = nan; });
+  throws([&](Case& c) { c.stages.front().curve->point[3].y() = nan; });
+  throws([&](Case& c) { c.stages.front().until = nan; });
 }
 
 TEST(CheckContingenciesExactly, RefusesALandingThatIsNone) {

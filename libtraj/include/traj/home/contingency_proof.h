@@ -53,7 +53,8 @@ std::vector<ProvedWay> proved_ways(const geom::CollisionScene& scene,
 // with it: the flight is in the regions where it brakes, to 5e-10 m, and these leave out no
 // instant; regions, hulls and legs are clear of the boxes of the map, grown by the task's half
 // sizes and margin, and inside the bounds; the way down ends on the ground. How far the vehicle
-// brakes and overshoots is taken as it is.
+// brakes and overshoots is taken as it is. Throws InputError for numbers that are not finite, and
+// for times that go back.
 ExactResult check_exactly(const ExactTask& task, std::span<const FlightStage> stages,
                           std::span<const ProvedWay> ways);
 

@@ -1,7 +1,11 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "boxes_near.h"
+#include "geom/base/error.h"
+#include "geom/record/flight_time.h"
 #include "gmp_conditions.h"
 #include "gmp_judge.h"
 #include "traj/proof/check.h"
@@ -103,6 +107,11 @@ Conditions condition(const Segment& s, Limit limit, double most) {
 class Proof {
  public:
   explicit Proof(const ExactTask& task) : task_(task) {
+    if (task.start && !(std::abs(*task.start) <= geom::kLargestTime)) {
+      throw geom::InputError("start",
+                             {.expected = fmt::format("seconds within {:g}", geom::kLargestTime),
+                              .found = fmt::to_string(*task.start)});
+    }
     if (!has_sound_vehicle()) return;
     const geom::Aabb& bounds = task.map.spec().bounds;
     bounds_ = {whole(bounds.min), whole(bounds.max), 0};

@@ -4,7 +4,9 @@
 #include <optional>
 #include <tuple>
 
+#include "geom/base/error.h"
 #include "gmp_line.h"
+#include "together/judgeable.h"
 #include "together/place_at.h"
 #include "traj/together/exact/exact_moving.h"
 
@@ -186,6 +188,8 @@ class MovingProof {
 }  // namespace
 
 ExactMoving check_moving_exactly(const TimedFlight& flight, const MovingBox& box, Parked parked) {
+  if (auto fault = moving_box_fault(box)) throw geom::InputError("obstacle", *std::move(fault));
+  require_judgeable(flight);
   return MovingProof(flight, box).of(parked);
 }
 

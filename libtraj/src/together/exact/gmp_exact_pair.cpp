@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "gmp_line.h"
+#include "together/judgeable.h"
 #include "traj/together/exact/exact_pair.h"
 
 namespace traj {
@@ -183,6 +184,9 @@ class PairProof {
 
 ExactPair check_pair_exactly(const TimedFlight& a, const TimedFlight& b,
                              std::span<const Zone> zones, Parked parked) {
+  require_judgeable(a);
+  require_judgeable(b);
+  for (const Zone& zone : zones) require_judgeable(zone);
   return PairProof(a, b).of(zones, parked);
 }
 

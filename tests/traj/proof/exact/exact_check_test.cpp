@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
+#include "geom/base/error.h"
 #include "proof/exact/gmp_bernstein.h"
 #include "support/random_city.h"
 #include "traj/proof/check.h"
@@ -184,6 +187,13 @@ TEST(ExactCheck, FollowsACurveThatStandsStill) {
   EXPECT_TRUE(still(std::nextafter(1.5, 2)).ok);
   EXPECT_EQ(still(1.5).reason, Reason::collision);
   EXPECT_FALSE(still(1.5).undecided);
+}
+
+TEST(ExactCheck, RefusesAStartThatIsNoNumber) {
+  const std::vector<Vec3> path{{0, 4, 0}, {4, 0, 0}};
+  ExactTask task{cube().map(), cube().vehicle(), 0, {}};
+  task.start = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(check_exactly(task, path), geom::InputError);
 }
 
 TEST(CertificateRecord, ListsPiecesAndPlanes) {

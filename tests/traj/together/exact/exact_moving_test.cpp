@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numeric>
 
+#include "geom/base/error.h"
 #include "support/moving_case.h"
 
 namespace traj {
@@ -53,6 +55,18 @@ TEST(ExactMoving, HasASideForEachPieceAndPiecesForAllOfAStretch) {
       EXPECT_EQ(sum, 1);
     }
   }
+}
+
+TEST(ExactMoving, RefusesWhatIsNoNumber) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  support::Random random(5);
+  const MovingCase c = support::contact(random, any_contact(random), -1);
+  MovingBox box = c.box;
+  box.until = nan;
+  EXPECT_THROW(check_moving_exactly(c.flight(), box, c.parked), geom::InputError);
+  TimedFlight late = c.flight();
+  late.start = nan;
+  EXPECT_THROW(check_moving_exactly(late, c.box, c.parked), geom::InputError);
 }
 
 // Two segments, of which the second begins 3 m beside the end of the first.

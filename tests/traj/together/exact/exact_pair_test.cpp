@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <numeric>
 
+#include "geom/base/error.h"
 #include "support/pair_case.h"
 #include "traj/together/pair_check.h"
 
@@ -65,6 +67,27 @@ TEST(ExactPair, TakesTheStepBetweenSegmentsAsFlown) {
   const TimedFlight flights[] = {{&a, 0, Vec3::Zero()}, {&b, 0, Vec3::Zero()}};
   EXPECT_FALSE(
       check_pair_exactly(flights[0], flights[1], std::array{cylinder(1, 1)}, Parked::pad).apart);
+}
+
+TEST(ExactPair, RefusesWhatIsNoNumber) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Trajectory still;
+  still.segments.resize(1);
+  still.segments[0].duration = 1;
+  still.segments[0].point.fill({0, 0, 0});
+  const TimedFlight flight{&still, 0, Vec3::Zero()};
+  const TimedFlight other{&still, nan, Vec3::Zero()};
+  const TimedFlight wide{&still, 0, Vec3(0, nan, 0)};
+  const Zone zone = cylinder(1, 1);
+  Zone bad = zone;
+  bad.reach[0] = nan;
+  const auto check = [&](const TimedFlight& second, const Zone& keep) {
+    check_pair_exactly(flight, second, std::array{keep}, Parked::pad);
+  };
+  EXPECT_NO_THROW(check(flight, zone));
+  EXPECT_THROW(check(flight, bad), geom::InputError);
+  EXPECT_THROW(check(other, zone), geom::InputError);
+  EXPECT_THROW(check(wide, zone), geom::InputError);
 }
 
 }  // namespace

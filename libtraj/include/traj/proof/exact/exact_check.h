@@ -88,7 +88,8 @@ struct ExactResult {
 
 // Decides in whole numbers by halving each segment. Shares no code with check() and agrees with it
 // but on the side of caution: what check() accepts is accepted here. Joints may miss each other by
-// as much as there and a thousandth part of it, as the fast check compares rounded numbers.
+// as much as there and a thousandth part of it, as the fast check compares rounded numbers. Throws
+// InputError for a start that is not within geom::kLargestTime.
 ExactResult check_exactly(const ExactTask& task, const Trajectory& trajectory);
 
 // The same for a path. `time` is the index of the leg and the part of it.

@@ -47,8 +47,8 @@ struct ExactMoving {
 
 // Decides in whole numbers (GMP) what check_moving() decides, by code of its own: times, the way of
 // each face, its growth and the room are taken as they are. What that calls clear is clear here.
-// Joints that miss each other count as the straight step between. Requires moving_box_fault() to
-// have no answer.
+// Joints that miss each other count as the straight step between. Throws InputError as
+// check_moving().
 ExactMoving check_moving_exactly(const TimedFlight& flight, const MovingBox& box, Parked parked);
 
 }  // namespace traj

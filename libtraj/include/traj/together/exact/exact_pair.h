@@ -43,7 +43,7 @@ struct ExactPair {
 
 // Decides in whole numbers (GMP) what check_pair() decides, by code of its own. What that calls
 // apart is apart here. Zones are taken as they are; joints that miss each other count as the
-// straight step between.
+// straight step between. Throws InputError as check_pair().
 ExactPair check_pair_exactly(const TimedFlight& a, const TimedFlight& b,
                              std::span<const Zone> zones, Parked parked);
 
