@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "geom/text/json_fields.h"
@@ -59,6 +61,22 @@ std::array<double, kPoints> parse_values(const JsonFields& fields, const Json& s
     }
   }
   return values;
+}
+
+// A duration that is not that of its segments belongs to others, so nobody knows which of both is
+// meant. Some programs write few digits.
+void require_own_duration(const JsonFields& fields, const Trajectory& trajectory) {
+  constexpr double kRounding = 0.005;  // s: two decimals
+  constexpr double kShare = 1e-6;      // and six digits
+  const auto said = fields.number("duration");
+  if (!said || trajectory.segments.empty()) return;
+  const double lasts = duration(trajectory);
+  if (std::abs(*said - lasts) <= std::max(kRounding, kShare * lasts)) return;
+  fields.refuse({.key = "duration",
+                 .expected = fmt::format("{:.9g}, the sum of its segments", lasts),
+                 .found = fmt::format("{:.9g}", *said),
+                 .advice = "make the record anew, or leave this member out if the segments are "
+                           "right"});
 }
 
 Segment parse_segment(const JsonFields& fields, const Json& segment, std::size_t index) {
@@ -138,6 +156,7 @@ TrajectoryRecord read_trajectory_record(const JsonFields& fields) {
         {.says = fmt::format("the segments must last at most {} s in all", kLongestTrajectory),
          .found = fmt::format("{} s", duration(record.trajectory))});
   }
+  require_own_duration(fields, record.trajectory);
   if (record.status == TrajectoryStatus::solved && record.trajectory.segments.empty()) {
     fields.refuse(
         {.says = "segments must not be empty when the status is solved", .found = "none"});

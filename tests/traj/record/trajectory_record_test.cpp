@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <optional>
+#include <stdexcept>
 
 #include "geom/base/error.h"
 #include "support/random_city.h"
@@ -37,6 +38,21 @@ std::string good_line() {
   record.status = TrajectoryStatus::solved;
   record.trajectory = flight();
   return to_json_line(record);
+}
+
+TEST(TrajectoryRecord, IsRefusedIfItLastsAnotherTimeThanItsSegments) {
+  const auto with = [](const char* lasts) {
+    std::string line = good_line();
+    const std::string own = "\"duration\":8,\"segments\"";
+    const auto at = line.find(own);
+    if (at == line.npos) throw std::logic_error(line);
+    return line.replace(at, own.size(), std::string(lasts) + "\"segments\"");
+  };
+  EXPECT_TRUE(read(with("\"duration\":8.004,")));
+  EXPECT_TRUE(read(with("")));
+  EXPECT_FALSE(read(with("\"duration\":8.1,")));
+  EXPECT_FALSE(read(with("\"duration\":0,")));
+  EXPECT_FALSE(read(with("\"duration\":\"8\",")));
 }
 
 TEST(TrajectoryRecord, IsRefusedWhereverItIsCut) {

@@ -43,7 +43,8 @@ Limits limits_of(const TrajectoryRecord& record);
 std::string to_json_line(const TrajectoryRecord& record);  // ends with a newline
 
 // Throws InputError(source, line, …) for anything that is not a trajectory record: malformed JSON,
-// a missing key, a segment without 8 values an axis, a duration that is not positive and finite.
+// a missing key, a segment without 8 values an axis, a duration that is not positive and finite,
+// and one of the whole that is not the sum of its segments (to 5 ms or a millionth).
 TrajectoryRecord parse_trajectory_record(std::string_view json, std::string_view source,
                                          std::size_t line);
 TrajectoryRecord read_trajectory_record(const geom::JsonFields& fields);
