@@ -20,8 +20,9 @@ WaysPlanner::Answer WaysPlanner::answer(const std::string& text, const std::stri
   metres_.check_input(scenes_.map().spec().frame, out.flight.places(), source, line);
   out.home = traj::ways_home(*base->scene, out.flight.stages, base->task);
   out.complete = traj::complete(out.home, base->task);
-  out.records = traj::contingency_records(out.flight.id, out.home, base->task,
-                                          geom::provenance_of(*base->scene));
+  out.records =
+      traj::contingency_records(out.flight.id, out.home, base->task,
+                                geom::provenance_of(*base->scene), out.flight.checked_hash);
   return out;
 }
 

@@ -13,7 +13,7 @@
 #include "traj/check/check_record.h"
 #include "traj/check/check_return.h"
 #include "traj/home/check_contingencies.h"
-#include "traj/home/contingency_record.h"
+#include "traj/home/flight_contingencies.h"
 #include "traj/home/home_flight.h"
 #include "traj/home/landing_site.h"
 #include "traj/home/ways_home.h"
@@ -146,9 +146,9 @@ py::list ways_home(const Scene& self, const py::object& what, const std::string&
                  ? std::optional<geom::Polyline>(std::move(found.path))
                  : std::nullopt;
     };
-    records = traj::contingency_records(asked.flight.id,
-                                        traj::ways_home(self.scene, asked.flight.stages, task),
-                                        task, geom::provenance_of(self.scene));
+    records = traj::contingency_records(
+        asked.flight.id, traj::ways_home(self.scene, asked.flight.stages, task), task,
+        geom::provenance_of(self.scene), asked.flight.checked_hash);
   }
   py::list out;
   for (const traj::ContingencyRecord& record : records) out.append(from_json(to_json_line(record)));
@@ -168,10 +168,7 @@ py::object check_ways_home(const Scene& self, const py::object& what,
       records.push_back(traj::parse_contingency_record(way, "ways", records.size() + 1));
       const traj::ContingencyRecord& record = records.back();
       agreed_vehicle(record.provenance, self.scene, geom::Differences::stricter_allowed, "ways");
-      if (record.id == asked.flight.id) continue;
-      throw geom::InputError("ways", records.size(),
-                             {.expected = "ways home of flight " + asked.flight.id,
-                              .found = "one of flight " + record.id});
+      traj::require_of(asked.flight, record, "ways", records.size());
     }
     auto report = traj::check_contingencies(self.scene, asked.flight.id, asked.flight.stages,
                                             records, {.models = asked.models});

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "geom/base/error.h"
 #include "geom/record/path_status.h"
 #include "geom/text/json_fields.h"
 #include "geom/text/json_line.h"
@@ -54,6 +55,7 @@ std::string to_json_line(const ContingencyRecord& record) {
   const auto status = record.found() ? geom::PathStatus::found : geom::PathStatus::unreachable;
   geom::JsonLine line;
   line.add("type", "contingency").add("id", record.id).add("status", name(status));
+  if (!record.flight_hash.empty()) line.add("flight_hash", record.flight_hash);
   line.add("from", record.from).add("until", record.until);
   if (!record.autopilot.empty()) line.add("autopilot", record.autopilot);
   add(line, record.provenance);
@@ -82,6 +84,7 @@ ContingencyRecord parse_contingency_record(std::string_view json, std::string_vi
   }
   record.autopilot = fields.text("autopilot", "");
   record.message = fields.text("message", "");
+  record.flight_hash = fields.text("flight_hash", "");
   record.provenance = geom::read_provenance(fields);
   const auto status = fields.word("status", geom::kPathStatusWords, geom::PathStatus::found);
   if (status == geom::PathStatus::found) read_way(fields, record);
@@ -90,7 +93,8 @@ ContingencyRecord parse_contingency_record(std::string_view json, std::string_vi
 
 std::vector<ContingencyRecord> contingency_records(const std::string& id, const WaysHome& home,
                                                    const WaysTask& task,
-                                                   const geom::Provenance& provenance) {
+                                                   const geom::Provenance& provenance,
+                                                   const std::string& flight_hash) {
   std::string autopilots;
   for (const ReturnModel& model : task.models) {
     autopilots += (autopilots.empty() ? "" : ", ") + model.autopilot;
@@ -100,6 +104,7 @@ std::vector<ContingencyRecord> contingency_records(const std::string& id, const 
     ContingencyRecord record{.id = id, .from = from, .until = until};
     record.autopilot = autopilots;
     record.provenance = provenance;
+    record.flight_hash = flight_hash;
     out.push_back(std::move(record));
     return out.back();
   };
@@ -121,6 +126,23 @@ std::vector<ContingencyRecord> contingency_records(const std::string& id, const 
       out.begin(), out.end(),
       [](const ContingencyRecord& a, const ContingencyRecord& b) { return a.from < b.from; });
   return out;
+}
+
+void require_of_flight(std::string_view id, std::string_view flight_hash,
+                       const std::vector<std::string>& flights, std::string_view source,
+                       std::size_t line) {
+  const auto may_be = [&](const std::string& flight) {
+    return flight.empty() || flight == flight_hash;
+  };
+  if (flight_hash.empty() || flights.empty() ||
+      std::any_of(flights.begin(), flights.end(), may_be)) {
+    return;
+  }
+  throw geom::InputError(
+      source, line,
+      {.expected = fmt::format("ways home of the flight {} that is given", geom::in_quotes(id)),
+       .found = "ones of another flight with this id",
+       .advice = "plan them anew for this flight (skyway-plan --home)"});
 }
 
 }  // namespace traj

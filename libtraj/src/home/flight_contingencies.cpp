@@ -12,6 +12,16 @@
 
 namespace traj {
 
+void require_of(const HomeFlight& flight, const ContingencyRecord& way, std::string_view source,
+                std::size_t line) {
+  if (way.id != flight.id) {
+    throw geom::InputError(
+        source, line,
+        {.expected = "ways home of flight " + flight.id, .found = "one of flight " + way.id});
+  }
+  require_of_flight(way.id, way.flight_hash, {flight.checked_hash}, source, line);
+}
+
 FlightContingencies::FlightContingencies(std::istream& in, std::string source,
                                          ContingencyRules rules)
     : source_(std::move(source)), rules_(std::move(rules)) {
@@ -32,6 +42,7 @@ geom::Provenance FlightContingencies::room_of(const HomeFlight& flight) const {
   geom::Provenance out = flight.provenance;
   double margin = std::max(out.margin.value_or(0), least_margin(rules_.models));
   for (const ContingencyRecord& record : records_of(flight)) {
+    require_of(flight, record, source_, 0);
     geom::require_map_agrees(record.provenance, flight.provenance, source_, 0);
     margin = std::max(margin, record.provenance.margin.value_or(0));
   }

@@ -38,6 +38,24 @@ TEST(ContingencyRecord, ReadsWhatItWrites) {
   EXPECT_FALSE(support::says(to_json_line(none), "latest_departure"));
 }
 
+TEST(ContingencyRecord, IsOfTheFlightWhoseHashItNames) {
+  ContingencyRecord record = way();
+  const auto refusal = [&](const char* hash) {
+    return support::refusal_of([&] {
+      require_of_flight(record.id, record.flight_hash, {"cc", hash}, "h", 2);
+    });
+  };
+  EXPECT_EQ(refusal("aa"), "");
+  record.flight_hash = "aa";
+  EXPECT_EQ(parse_contingency_record(to_json_line(record), "h", 1).flight_hash, "aa");
+  EXPECT_EQ(refusal("aa"), "");
+  EXPECT_EQ(refusal(""), "");
+  EXPECT_NO_THROW(require_of_flight("q1", "aa", {}, "h", 2));
+  EXPECT_EQ(refusal("bb"),
+            "h:2: expected ways home of the flight \"q1\" that is given, found ones of another "
+            "flight with this id: plan them anew for this flight (skyway-plan --home)");
+}
+
 TEST(ContingencyRecord, ThatIsAGapHasNoWay) {
   ContingencyRecord gap{.id = "q1", .from = 1, .until = 2};
   gap.message = "no way";

@@ -12,12 +12,12 @@ namespace {
 
 // A flight past a block, and the stream of its ways home.
 struct Case : testing::FlightPastABlock {
-  HomeFlight flight{.id = "q1", .stages = stages};
+  HomeFlight flight{.id = "q1", .stages = stages, .checked_hash = "aa"};
   std::string lines;
 
   Case() {
     const auto ways = ways_home(scene, flight.stages, task);
-    for (const auto& record : contingency_records("q1", ways, task, {})) {
+    for (const auto& record : contingency_records("q1", ways, task, {}, "aa")) {
       lines += to_json_line(record);
     }
   }
@@ -40,6 +40,13 @@ TEST(FlightContingencies, HaveACertificateWhereTheyHoldExactly) {
   const CheckedContingencies checked = c.read().check(c.scene, c.flight, {.certificate = true});
   ASSERT_TRUE(checked.report.exact && checked.report.exact->ok);
   EXPECT_TRUE(checked.certificate.starts_with('{') && checked.certificate.ends_with('\n'));
+}
+
+TEST(FlightContingencies, OfAnotherFlightWithThisIdAreRefused) {
+  Case c;
+  EXPECT_NO_THROW(c.read().room_of(c.flight));
+  c.flight.checked_hash = "bb";
+  EXPECT_THROW(c.read().room_of(c.flight), geom::InputError);
 }
 
 TEST(FlightContingencies, OfAnotherFlightAreNoneOfThisOne) {

@@ -16,6 +16,7 @@
 #include "plan/lattice/lattice_file.h"
 #include "traj/files/drone_formats.h"
 #include "traj/mission/file_records.h"
+#include "traj/record/checked_hash.h"
 
 namespace cli {
 namespace {
@@ -213,6 +214,23 @@ void require_of_shown(const Contents& contents, const std::vector<Read<Record>>&
   }
 }
 
+// Ways home and reports of some are of a trajectory or path of their id, where there are some.
+void require_home_of_shown(const Contents& contents) {
+  std::map<std::string_view, std::vector<std::string>> flights;
+  const auto add = [&](const auto& record) {
+    flights[record.id].push_back(traj::checked_hash(record));
+  };
+  for (const auto& read : contents.trajectories) add(read.record);
+  for (const auto& read : contents.paths) add(read.record);
+  for (const auto& [way, source, line] : contents.contingencies) {
+    traj::require_of_flight(way.id, way.flight_hash, flights[way.id], source, line);
+  }
+  for (const auto& [report, source, line] : contents.reports) {
+    if (report.checked != traj::kCheckedContingency) continue;
+    traj::require_of_flight(report.id, report.checked_hash, flights[report.id], source, line);
+  }
+}
+
 }  // namespace
 
 Contents read_contents(const std::vector<std::string>& inputs, const ContentKinds& kinds) {
@@ -259,6 +277,7 @@ void require_same_map(const Contents& contents, const geom::BoxMap* map,
   require_of_shown(contents, contents.trajectories);
   require_of_shown(contents, contents.paths);
   require_of_shown(contents, contents.flights);
+  require_home_of_shown(contents);
 }
 
 void warn_of_unsaid_maps(const Common& common, const Contents& contents) {

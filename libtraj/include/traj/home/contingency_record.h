@@ -33,6 +33,8 @@ struct ContingencyRecord {
   std::optional<double> latest_departure = {};
   std::string autopilot = {};  // those that may brake, as reports name them
   std::string message = {};    // why there is no way, in words; may be empty
+  // checked_hash() of the flight (traj/record/checked_hash.h); empty: the record does not say it.
+  std::string flight_hash = {};
   geom::Provenance provenance = {};
 
   bool found() const { return !points.empty(); }
@@ -53,9 +55,17 @@ std::string to_json_line(const ContingencyRecord& record);  // ends with a newli
 ContingencyRecord parse_contingency_record(std::string_view json, std::string_view source,
                                            std::size_t line);
 
-// One for each way and gap of a flight, ascending in time.
+// One for each way and gap of a flight with this checked_hash(), ascending in time.
 std::vector<ContingencyRecord> contingency_records(const std::string& id, const WaysHome& home,
                                                    const WaysTask& task,
-                                                   const geom::Provenance& provenance);
+                                                   const geom::Provenance& provenance,
+                                                   const std::string& flight_hash = {});
+
+// Throws InputError(source, line, …) where a way home, or a report of some, is of another flight
+// with its id: its `flight_hash` is none of those of the `flights` of this id. An empty hash is
+// that of any flight, and no flights may be any.
+void require_of_flight(std::string_view id, std::string_view flight_hash,
+                       const std::vector<std::string>& flights, std::string_view source,
+                       std::size_t line);
 
 }  // namespace traj

@@ -13,6 +13,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "geom/collision/collision.h"
@@ -33,6 +34,11 @@ struct CheckedContingencies {
   std::string certificate = {};  // empty where nothing holds, or nobody asked
 };
 
+// Throws InputError(source, line, …) for a way home of a flight with another id, or of another one
+// with this id (require_of_flight()).
+void require_of(const HomeFlight& flight, const ContingencyRecord& way, std::string_view source,
+                std::size_t line);
+
 class FlightContingencies {
  public:
   // Reads contingencies to the end of the stream. Throws InputError(source, line, …) as
@@ -40,7 +46,7 @@ class FlightContingencies {
   FlightContingencies(std::istream& in, std::string source, ContingencyRules rules);
 
   // The largest margin of the flight, its contingencies and the autopilots. Throws InputError where
-  // these are not all of one map.
+  // these are not all of one map, or are of another flight with this id.
   geom::Provenance room_of(const HomeFlight& flight) const;
 
   // In the scene of room_of(). Threads may call at once.
