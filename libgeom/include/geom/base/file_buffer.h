@@ -3,7 +3,7 @@
 // What a stream reads a file through that nobody may write to meanwhile.
 //
 // Example:
-//   geom::FileBuffer buffer("city.csv");
+//   geom::FileBuffer buffer("house.obj");
 //   std::istream in(&buffer);
 //   in.exceptions(std::ios::badbit);  // so that what the buffer throws is thrown on
 //   std::string first_line;
