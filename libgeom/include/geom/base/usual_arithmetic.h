@@ -9,6 +9,7 @@
 //     assert(std::fegetround() == FE_TONEAREST);
 //   }
 //   assert(std::fegetround() == FE_UPWARD);
+//   std::fesetround(FE_TONEAREST);
 
 #include <cfenv>
 
