@@ -14,8 +14,8 @@
 
 namespace geom {
 
-// Asks the system for the pages that lie wholly in this memory, on all threads. A wish: they come
-// one by one, when they are written, where the system cannot give them together.
+// Asks the system for the pages that lie wholly in this memory, on all threads. If the system
+// cannot give them together, each page comes when it is first written.
 inline void ask_for_pages(void* begin, std::size_t bytes, const Execution& run) {
 #ifdef MADV_POPULATE_WRITE
   constexpr std::size_t kTogether = std::size_t{1} << 22;

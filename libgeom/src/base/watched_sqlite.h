@@ -6,9 +6,9 @@
 
 namespace geom {
 
-// Has the failed allocations of the SQLite that `user` works with counted by WatchedMemory, until
-// the process ends. To be called as soon as `user` is loaded: SQLite takes its log before it is
-// first used. Returns false if the process has used SQLite before, or if `user` has its own within.
+// From now on WatchedMemory counts the failed allocations of the SQLite that `user` works with.
+// Call it as soon as `user` is loaded, because SQLite takes a log only before its first use.
+// Returns false if the process has used SQLite before, or if `user` holds a SQLite of its own.
 bool watch_sqlite(const LoadedLibrary& user);
 
 }  // namespace geom

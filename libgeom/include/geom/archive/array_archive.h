@@ -95,9 +95,9 @@ class ArrayArchive {
   // Verifies every checksum. Throws InputError at the first that differs.
   void verify(const Execution& run = {}) const;
 
-  // Of meta.json and what the directory says of all arrays, checksums included: "sha256:…". It
-  // costs nothing of a big archive. Archives that are not damaged have the same only if they hold
-  // the same.
+  // A hash of meta.json and of the directory: names, types, shapes and checksums of all arrays,
+  // "sha256:…". It reads no array. If two archives are not damaged and have the same hash, they
+  // hold the same.
   std::string directory_hash() const;
 
   std::optional<FileState> file() const;  // where it is mapped: as it was opened

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a stream reads a file through that nobody may write to meanwhile.
+// The buffer of a stream that reads a file. It refuses a file that somebody writes to meanwhile.
 //
 // Example:
 //   geom::FileBuffer buffer("house.obj");
@@ -34,8 +34,8 @@ class FileBuffer : public std::streambuf {
   // the first bytes that are read.
   FileBuffer(int descriptor, std::string name, std::function<void(std::string_view)> first = {});
 
-  // The beginning, which stays to be read: more of it is waited for until `enough` says so, up to
-  // `most` bytes (64 KiB at most) or the end. Only before anything else was read.
+  // Returns the beginning of the file, which stays to be read. It waits for more until `enough` is
+  // true, there are `most` bytes (64 KiB at most), or the file ends. Call it before any reading.
   std::string_view head_until(const std::function<bool(std::string_view)>& enough,
                               std::size_t most);
 

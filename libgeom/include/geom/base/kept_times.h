@@ -14,11 +14,11 @@ namespace geom {
 // Of the file system of this path; false if it cannot be asked.
 bool keeps_times(const std::string& path);
 
-// Of a kind as statfs(2) names it. Its kernel keeps the time of the last change of each file by
-// itself, so that no program can set it back, and gives a file a number that stays. Not those that
-// keep no such time (FAT, exFAT), get it from another program or machine that may make it up (FUSE,
-// SMB, 9p), are read from media that may be changed, or lie in memory, where what is written
-// through a mapping leaves no time. Unknown kinds are none of these.
+// Of a kind as statfs(2) names it. True for kinds whose kernel notes the time of each change of a
+// file, so that no program can set it back. A file keeps its number there. False for FAT and exFAT,
+// which have no such time, and for FUSE, SMB and 9p, whose other side may make it up. False for
+// media that may be exchanged, and for memory, where a write through a mapping leaves no time.
+// False for unknown kinds.
 bool keeps_times(std::uint32_t kind);
 
 }  // namespace geom

@@ -13,8 +13,8 @@ namespace geom {
 
 // How many bytes of these lines may be written while more may follow: all but the end of the last
 // line, from its last comma, tab or space on; without any of them, its last character. A writer
-// keeps the rest back until it has more, or is done. Then what a writer that fails or is killed
-// leaves ends in a line that is cut, and no reader takes it for the whole.
+// keeps the rest back until it has more, or is done. If it fails or is killed, its last line is
+// cut, and the next reader refuses it.
 std::size_t up_to_last_end(std::string_view lines);
 
 }  // namespace geom

@@ -1,6 +1,6 @@
 #pragma once
 
-// Identifies a simulated vehicle by its numbers, for what was found out about that one alone.
+// A hash of a simulated vehicle. Results that hold for this vehicle alone name it.
 //
 // Example:
 //   traj::FlightOptions options;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Identifies by its numbers what a check was of, for its report.
+// A hash of the numbers that a check looked at, for its report.
 //
 // Example:
 //   traj::TrajectoryRecord other = {.id = "q1", .trajectory = trajectory};

@@ -136,10 +136,10 @@ struct ReportSummary {
   bool by_time = false;  // timed boxes counted by their times, so it holds for this start alone
 };
 
-// Why a report of a trajectory, path or log is not of this one of its id: other numbers, or another
-// start where that counts; nothing where nothing speaks against it, and of a report of another
-// kind. A report that does not say its hash is taken for one of any trajectory of its duration, any
-// path and any log.
+// Why a report is of another trajectory, path or log than this one with its id: its numbers differ,
+// or its start does where that counts. Nothing if no difference is known, and for a report of
+// another kind. A report without a hash may be of any path, any log, and any trajectory of its
+// duration.
 std::optional<geom::Fault> why_not_of(const ReportSummary& report,
                                       const TrajectoryRecord& trajectory);
 std::optional<geom::Fault> why_not_of(const ReportSummary& report, const geom::PathRecord& path);

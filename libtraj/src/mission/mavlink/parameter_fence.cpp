@@ -41,7 +41,7 @@ class FenceOf {
     if (!flown_.home) {
       throw geom::InputError(
           source_,
-          {.says = "the autopilot has a fence around home, and where home is, is not known",
+          {.says = "the autopilot has a fence around home, and the file does not say where home is",
            .advice = "give the height of the ground there (--ground)"});
     }
     hold_way();
