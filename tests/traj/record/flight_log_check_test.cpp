@@ -4,6 +4,7 @@
 
 #include "support/reading.h"
 #include "traj/curve/trajectory_hash.h"
+#include "traj/record/report_record.h"
 #include "traj/record/verdict.h"
 #include "traj/scenes.h"
 
@@ -122,6 +123,17 @@ TEST(FlightLogCheck, WantsATubeOfEachPlan) {
   const std::string of_both = of_a + tube("b", 3, plan("b", 3).trajectory);
   check.read_tubes(support::Text(of_both), "tubes");
   EXPECT_TRUE(check.judge(log("b"), scene()).tube);
+}
+
+TEST(FlightLogCheck, ReportsAreOfTheLogWithTheirNumbers) {
+  FlightLog flown = log("a");
+  const std::string line = to_json_line(FlightLogCheck().judge(flown, scene()), scene().map());
+  const ReportSummary report = parse_report_record(line, "r", 1);
+  EXPECT_FALSE(why_not_of(report, flown));
+  flown.samples[1].position.y() = 2;
+  const auto why = why_not_of(report, flown);
+  ASSERT_TRUE(why);
+  EXPECT_EQ(why->found, "one of another: its samples are others");
 }
 
 TEST(FlightLogCheck, JudgesByItsRule) {
