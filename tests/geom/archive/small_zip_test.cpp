@@ -82,6 +82,15 @@ Entry deflated() {
   return entry;
 }
 
+TEST(Crc32, OfNothingIsThatOfWhatCameBefore) {
+  const std::string text = "123456789";
+  const auto bytes = std::as_bytes(std::span(text));
+  EXPECT_EQ(crc32_of(bytes), 0xcbf43926u);  // the check value of the standard
+  EXPECT_EQ(crc32_of({}, 0xcbf43926u), 0xcbf43926u);
+  EXPECT_EQ(crc32_of(bytes.subspan(4), crc32_of(bytes.first(4))), 0xcbf43926u);
+  EXPECT_EQ(crc32_joined(crc32_of(bytes.first(4)), crc32_of(bytes.subspan(4)), 5), 0xcbf43926u);
+}
+
 TEST(SmallZip, GivesTheWantedFilesThatAreThere) {
   const auto files = files_of_zip(
       written({{"a.txt", "one"}, {"other", "x"}, {"b.txt", ""}, {"folder/b.txt", "y"}}), "z", kZip);
